@@ -1,11 +1,13 @@
 // What points change in a foreground.
+#include "Evidence/ForegroundCorrection.h"
+#include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
-#include "Intensity/ForegroundCorrection.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace FlipFree;
 
@@ -57,10 +59,16 @@ struct BallImage
   BitMask Corrected(BitMask foreground, const ConstraintList& constraints) const
   {
     const SeedSphere seed{ Eigen::Vector3d::Zero(), 6 };
-    EXPECT_TRUE(CorrectForeground({ { this->Voxels.data(), this->Geometry },
-                                    [](const VoxelBox&) { return true; }, 2, Modality::CT },
-      seed, constraints, SerialFor, NeverStop, foreground));
+    const ForegroundImage image = this->Image();
+    EXPECT_TRUE(CorrectForeground(image, seed, constraints, SerialFor, NeverStop, foreground));
     return foreground;
+  }
+
+  ForegroundImage Image() const
+  {
+    const ImageView<float> view{ this->Voxels.data(), this->Geometry };
+    return { view, ReaderOf(view), [](const VoxelBox&) { return true; }, 2, Modality::CT,
+      this->Candidate };
   }
 
   bool IsAt(const BitMask& mask, double x, double y, double z) const
@@ -71,6 +79,7 @@ struct BallImage
 
   ImageGeometry Geometry;
   std::vector<float> Voxels;
+  BitMask Candidate;
 };
 
 } // namespace
@@ -160,10 +169,8 @@ struct BarImage : BallImage
   BitMask With(double found, double point) const
   {
     BitMask foreground = this->Bar(-30, found);
-    EXPECT_TRUE(CorrectForeground({ { this->Voxels.data(), this->Geometry },
-                                    [](const VoxelBox&) { return true; }, 2, Modality::CT },
-      { { -23, 0, 0 }, 6 }, { { ConstraintKind::Inside, { point, 0, 0 }, 0 } }, SerialFor,
-      NeverStop, foreground));
+    EXPECT_TRUE(CorrectForeground(this->Image(), { { -23, 0, 0 }, 6 },
+      { { ConstraintKind::Inside, { point, 0, 0 }, 0 } }, SerialFor, NeverStop, foreground));
     return foreground;
   }
 };
@@ -297,4 +304,120 @@ TEST(ForegroundCorrection, TakesBackWhatAnotherPointAddsAndNoMore)
   BitMask lost = found;
   lost.Remove(corrected);
   EXPECT_EQ(lost.Count(), 0U);
+}
+
+namespace
+{
+
+// Three bright balls in a row, connected by necks, the seed in the first; the organ's gray values
+// vary, and beyond the third is a brighter neighbor.
+struct LobesImage : BallImage
+{
+  LobesImage()
+    : BallImage({ 1, 1, 2 })
+  {
+    std::mt19937 random(5);
+    for (std::size_t voxel = 0; voxel < this->Voxels.size(); ++voxel)
+    {
+      const double noise = static_cast<double>(random() % 9) - 4.0;
+      const double x = this->PlaceOf(voxel)[0];
+      this->Voxels[voxel] = static_cast<float>(noise +
+        (!this->IsOrgan(voxel) ? 0
+            : x > 14           ? 130
+                               : 100));
+    }
+    this->Candidate = this->Lobes(-32, 32);
+  }
+
+  Eigen::Vector3d PlaceOf(std::size_t voxel) const
+  {
+    const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
+    return this->Geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+  }
+
+  bool IsOrgan(std::size_t voxel) const
+  {
+    const Eigen::Vector3d at = this->PlaceOf(voxel);
+    const auto isInBall = [&](double x, double radius)
+    { return (at - Eigen::Vector3d(x, 0, 0)).norm() <= radius; };
+    return isInBall(-18, 11) || isInBall(4, 10) || isInBall(22, 9) ||
+      (std::abs(at[0]) < 20 && std::hypot(at[1], at[2]) < 4);
+  }
+
+  BitMask Lobes(double begin, double end) const
+  {
+    BitMask mask(this->Geometry);
+    for (std::size_t voxel = 0; voxel < this->Voxels.size(); ++voxel)
+    {
+      const double x = this->PlaceOf(voxel)[0];
+      if (this->IsOrgan(voxel) && begin <= x && x <= end)
+      {
+        const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
+        mask.Insert(index[0], index[1], index[2]);
+      }
+    }
+    return mask;
+  }
+
+  BitMask Corrected(BitMask foreground, const ConstraintList& constraints) const
+  {
+    EXPECT_TRUE(CorrectForeground(this->Image(), { { -18, 0, 0 }, 5 }, constraints, SerialFor,
+      NeverStop, foreground));
+    return foreground;
+  }
+};
+
+} // namespace
+
+TEST(ForegroundCorrection, OnePointInALostLobeBringsTheLobe)
+{
+  const LobesImage image;
+  const BitMask corrected =
+    image.Corrected(image.Lobes(-32, -6), { { ConstraintKind::Inside, { 5, 2, 0 }, 0 } });
+  BitMask missed = image.Lobes(-32, 12);
+  missed.Remove(corrected);
+  EXPECT_LT(missed.Count(), image.Lobes(-32, 12).Count() / 20);
+  EXPECT_FALSE(image.IsAt(corrected, 24, 0, 0));
+}
+
+TEST(ForegroundCorrection, OnePointInALeakTakesTheLeak)
+{
+  const LobesImage image;
+  const BitMask corrected =
+    image.Corrected(image.Lobes(-32, 32), { { ConstraintKind::Outside, { 5, 2, 0 }, 0 } });
+  BitMask left = corrected;
+  left.Remove(image.Lobes(-32, -4));
+  EXPECT_LT(left.Count(), image.Lobes(-4, 32).Count() / 20);
+  BitMask lost = image.Lobes(-32, -9);
+  lost.Remove(corrected);
+  EXPECT_EQ(lost.Count(), 0U);
+}
+
+// Whatever the points: an inside point removes nothing, an outside point adds nothing, and the
+// order means nothing.
+TEST(ForegroundCorrection, IsMonotoneInItsPoints)
+{
+  const LobesImage image;
+  std::mt19937 random(11);
+  const auto between = [&random](double least, double most)
+  { return least + (most - least) * static_cast<double>(random() % 1000) / 1000; };
+  for (int sequence = 0; sequence < 60; ++sequence)
+  {
+    const BitMask found = image.Lobes(-32, between(-10, 32));
+    ConstraintList points;
+    BitMask before = image.Corrected(found, points);
+    for (int click = 0; click < 5; ++click)
+    {
+      const bool inside = random() % 2 == 0;
+      const Eigen::Vector3d place(between(-8, 31), between(-12, 12), between(-12, 12));
+      points.push_back({ inside ? ConstraintKind::Inside : ConstraintKind::Outside, place, 0 });
+      const BitMask after = image.Corrected(found, points);
+      BitMask wrong = inside ? before : after;
+      wrong.Remove(inside ? after : before);
+      EXPECT_EQ(wrong.Count(), 0U) << "sequence " << sequence << ", " << NameOf(points.back());
+      before = after;
+    }
+    std::shuffle(points.begin(), points.end(), random);
+    EXPECT_EQ(image.Corrected(found, points), before) << "sequence " << sequence;
+  }
 }

@@ -112,9 +112,9 @@ TEST(GrayValueSimilarity, ReachesToWhereTheImageChanges)
     [&](int i, int j, int k)
     { image.Voxels.push_back((Eigen::Vector3d(i, j, k) - center).norm() < 10 ? 100.0F : 0.0F); });
   const GrayValueSimilarity similarity(4, Modality::CT);
-  EXPECT_NEAR(similarity.ReachOfLikeness(image.View(), center, 18), 10, 1);
-  EXPECT_EQ(similarity.ReachOfLikeness(image.View(), center, 6), 6);
   const ImagePart part{ image.View(), { { 0, 0, 0 } } };
+  EXPECT_NEAR(similarity.ReachOfLikeness(part, image.Geometry, center, 18), 10, 1);
+  EXPECT_EQ(similarity.ReachOfLikeness(part, image.Geometry, center, 6), 6);
   EXPECT_EQ(StatisticsInBall(part, image.Geometry, { center, 8 }).Median, 100);
   // Between the voxels: the one next to the center.
   EXPECT_EQ(StatisticsInBall(part, image.Geometry, { { 20.5, 20.4, 20.4 }, 0.1 }).Median, 100);

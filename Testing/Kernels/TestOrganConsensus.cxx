@@ -63,8 +63,9 @@ struct Organ
     const FloatImage image = this->Image(scale);
     BitMask mask = carved;
     CarvingReport report;
+    BitMask considered(image.View().Geometry);
     EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, this->Settings,
-      parallelFor, NeverStop, mask, report));
+      parallelFor, NeverStop, mask, considered, report));
     return mask;
   }
 };
@@ -232,8 +233,9 @@ TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
   const BitMask carved = CutOff(organ, 42);
   BitMask mask = carved;
   CarvingReport report;
+  BitMask considered(image.View().Geometry);
   ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor,
-    NeverStop, mask, report));
+    NeverStop, mask, considered, report));
   EXPECT_GT(report.Unanimity, 0.5);
   EXPECT_LE(report.Unanimity, Dice(carved, mask) + 1e-9);
 }
@@ -257,8 +259,9 @@ TEST(OrganConsensus, StopsAtOnce)
     const Monitor monitor = [&](double) { return ++asked <= allowed; };
     BitMask mask = carved;
     CarvingReport report;
+    BitMask considered(image.View().Geometry);
     if (SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor, monitor,
-          mask, report))
+          mask, considered, report))
     {
       EXPECT_LE(asked, allowed);
       continue;
@@ -304,6 +307,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
     }
     BitMask expected;
     CarvingReport report;
+    BitMask considered(image.View().Geometry);
     ASSERT_TRUE(CarveOrgan(image.View(), inside, &inside, organ.Seed, organ.Noise, Modality::MR,
       SerialFor, NeverStop, expected, report.Doubts));
     std::vector<VoxelBox> boxes{ CarvingBox(inside, organ.Seed) };
@@ -317,7 +321,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
       {
         boxes.push_back(ConsensusBox(expected, organ.Seed));
         ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, inputs.Settings, SerialFor,
-          NeverStop, expected, report));
+          NeverStop, expected, considered, report));
       }
       std::vector<VoxelBox> made;
       inputs.MakeSmooth = [&made](const VoxelBox& box)
@@ -327,7 +331,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
       };
       BitMask found;
       CarvingReport own;
-      ASSERT_TRUE(CarveForeground(inputs, SerialFor, NeverStop, found, own));
+      ASSERT_TRUE(CarveForeground(inputs, SerialFor, NeverStop, found, considered, own));
       EXPECT_EQ(found, expected);
       EXPECT_EQ(own.Unanimity, report.Unanimity);
       EXPECT_EQ(own.Doubts.size(), report.Doubts.size());
@@ -377,11 +381,12 @@ TEST(CarvedForeground, StopsAtOnce)
   const FloatImage image = organ.Image();
   const Surface surface = Sphere(16, Center, 25);
   CarvedForegroundInputs inputs = InputsOf(organ, image, surface);
-  const auto stops = [&inputs](const Monitor& monitor)
+  const auto stops = [&inputs, &image](const Monitor& monitor)
   {
     BitMask found;
     CarvingReport report;
-    return !CarveForeground(inputs, SerialFor, monitor, found, report);
+    BitMask considered(image.View().Geometry);
+    return !CarveForeground(inputs, SerialFor, monitor, found, considered, report);
   };
   for (int allowed = 0; allowed < 24; allowed += 4)
   {

@@ -1,5 +1,6 @@
 #include "Deformation/DeformingOrgan.h"
 
+#include "Evidence/ForegroundCorrection.h"
 #include "Evidence/OrganCarving.h"
 #include "Intensity/ModelFit.h"
 #include "Stopwatch.h"
@@ -106,7 +107,8 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   inputs.Settings = this->Settings.Feature;
   inputs.Settings.Modality = this->Foreground.GetModality();
   BitMask carved;
-  if (!CarveForeground(inputs, this->Parallel, monitor, carved, this->Surface.Carving))
+  if (!CarveForeground(inputs, this->Parallel, monitor, carved, this->Candidate,
+        this->Surface.Carving))
   {
     return false;
   }
@@ -117,7 +119,18 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
 bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)
 {
   const SecondsOfBlock timing(this->Surface.FeatureSeconds);
-  return constraints.empty() || this->Foreground.Correct(constraints, this->Noise, monitor);
+  if (constraints.empty())
+  {
+    return true;
+  }
+  const ForegroundImage image{ this->Foreground.GetImage(), this->Foreground.GetReader(),
+    [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); }, this->Noise,
+    this->Foreground.GetModality(), this->Candidate };
+  BitMask mask = this->Foreground.TakeMask();
+  const bool done =
+    FlipFree::CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, mask);
+  this->Foreground.SetMask(std::move(mask));
+  return done;
 }
 
 void DeformingOrgan::SettleForeground(BitMask mask)

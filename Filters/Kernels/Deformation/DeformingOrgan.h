@@ -118,6 +118,7 @@ private:
   GrowingForeground Foreground;
   IntensityModel Model;
   double OrganRadius; // the seed's, until more is known
+  BitMask Candidate;  // of carving
   bool Settled = false;
 
   // Of the present run.

@@ -10,7 +10,7 @@ namespace FlipFree
 {
 
 bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground, CarvingReport& report)
+  const Monitor& monitor, BitMask& foreground, BitMask& candidate, CarvingReport& report)
 {
   const ImageView<float>& smooth = inputs.Smooth;
   const SeedSphere& seed = inputs.Seed;
@@ -26,7 +26,7 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   {
     enclosed.InsertRun(run.Begin, run.End, run.J, run.K);
   }
-  BitMask candidate = enclosed;
+  candidate = enclosed;
   report = {};
   if (!AddForeground(smooth, inputs.MakeSmooth, seed, inputs.Noise, settings, {}, parallelFor,
         PartOf(monitor, 0.1, 0.2), candidate) ||
@@ -41,7 +41,7 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   const bool done = (!seeks ||
                       (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
                         SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor,
-                          PartOf(monitor, 0.4, 0.95), foreground, report))) &&
+                          PartOf(monitor, 0.4, 0.95), foreground, candidate, report))) &&
     CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
       PartOf(monitor, 0.95, 1), foreground);
   return done && CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, foreground);

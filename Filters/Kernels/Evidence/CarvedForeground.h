@@ -26,10 +26,11 @@ struct CarvedForegroundInputs
   OrganFeatureSettings Settings; ///< the modality is not Automatic
 };
 
-/// Carves the foreground from the inside of the surface. Returns false if the monitor stopped it;
+/// Carves the foreground from the inside of the surface. The candidate becomes all that was ever
+/// considered. Returns false if the monitor stopped it;
 /// the foreground is then useless.
 bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground, CarvingReport& report);
+  const Monitor& monitor, BitMask& foreground, BitMask& candidate, CarvingReport& report);
 
 } // namespace FlipFree
 

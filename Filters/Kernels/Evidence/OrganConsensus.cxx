@@ -69,6 +69,7 @@ public:
     , Count(static_cast<double>(this->Usual.Count()))
   {
     this->ReadImage();
+    this->Considered = BitMask(this->Image.Geometry);
   }
 
   // None if the monitor stopped it.
@@ -99,6 +100,7 @@ public:
     return best;
   }
 
+  BitMask TakeConsidered() { return std::move(this->Considered); }
   double GetUnanimity() const { return this->Unanimity; }
 
 private:
@@ -157,6 +159,7 @@ private:
       return std::nullopt;
     }
     ++this->Grown;
+    this->Considered.Unite(grown);
     return carved;
   }
 
@@ -256,6 +259,7 @@ private:
   const BitMask Usual;
   const double Count;
   FloatImage Image;
+  BitMask Considered; // by opinions
   double Grown = 0;
   double Unanimity = UnanimityWithoutVote;
 };
@@ -276,7 +280,7 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
 
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& carved, CarvingReport& report)
+  BitMask& carved, BitMask& candidate, CarvingReport& report)
 {
   const VoxelBox box = ConsensusBox(carved, seed);
   Consensus seeker(smooth, box, seed, noise, settings, parallelFor, monitor, carved);
@@ -287,6 +291,7 @@ bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, doubl
   }
   carved = BitMask(smooth.Geometry);
   carved.Insert(*consensus, box.Begin);
+  candidate.Insert(seeker.TakeConsidered(), box.Begin);
   report.Unanimity = seeker.GetUnanimity();
   return true;
 }

@@ -34,7 +34,7 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
 /// is then as it was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& carved, CarvingReport& report);
+  BitMask& carved, BitMask& candidate, CarvingReport& report);
 
 } // namespace FlipFree
 

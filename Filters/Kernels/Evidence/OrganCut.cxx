@@ -61,7 +61,7 @@ public:
     , Ask(monitor)
     , Mask(mask)
     , State(state)
-    , Grid(mask.GetGeometry(), std::max(1.2, std::min(2.5, this->Ball.Radius / 8)))
+    , Grid(mask.GetGeometry(), RegionBlockSize(Ball.Radius))
     , Size(Grid.Blocks.Dimensions)
     , OfBall(StatisticsInBall(image, Grid.Voxels, Ball))
     , Spread(std::max({ OfBall.StandardDeviation, 0.5 * noise, LeastDeviation }))
@@ -186,9 +186,9 @@ private:
     this->Nodes = BlockNodes(this->Inside.size(),
       [this](std::size_t block) { return this->Inside[block] != 0; });
     this->KeepUnariesOfNodes();
-    const BlockLinks links{ this->Settings.Smoothness *
-        std::max(5.0, std::min(40.0, this->Ball.Radius)),
-      this->EdgeContrast() };
+    const BlockLinks links =
+      RegionLinks(this->Settings.Smoothness, this->Ball.Radius, this->Spread);
+    this->EdgeContrast = links.EdgeContrast;
     RegionCut cut(MakeBlockNetwork(
                     this->Grid.Blocks, this->Nodes, this->Smooth, links,
                     [this](std::size_t block) { return this->Unaries[this->Nodes[block]]; },
@@ -199,14 +199,12 @@ private:
     return cut;
   }
 
-  double EdgeContrast() const { return 3 * this->Spread; }
-
   // The severed parts that are not too small for a proposal.
   std::vector<SeveredPart> FindParts(const RegionCut& cut)
   {
     const auto isInside = [&cut](std::size_t block) { return cut.IsInside(block); };
     std::vector<SeveredPart> parts = FindSeveredParts(this->Grid.Blocks, this->Nodes, this->Smooth,
-      this->SquaredDepth, this->EdgeContrast(), isInside);
+      this->SquaredDepth, this->EdgeContrast, isInside);
     this->Kept = this->Nodes.NumberOfNodes() * this->Grid.Blocks.VoxelVolume();
     for (const SeveredPart& part : parts)
     {
@@ -406,6 +404,7 @@ private:
   std::vector<float> SquaredDepth;
   std::vector<std::size_t> Cores;
   std::vector<float> Smooth; // gray values
+  double EdgeContrast = 0;   // of the links
   double Kept = 0;           // mm3 inside the first cut
   BlockSums Sums;
   std::vector<float> Unaries; // of the blocks, later of the nodes

@@ -6,6 +6,16 @@
 namespace FlipFree
 {
 
+double RegionBlockSize(double radius)
+{
+  return std::max(1.2, std::min(2.5, radius / 8));
+}
+
+BlockLinks RegionLinks(double smoothness, double radius, double spread)
+{
+  return { smoothness * std::max(5.0, std::min(40.0, radius)), 3 * spread };
+}
+
 void RegionCut::Fix(const std::vector<std::size_t>& blocks, bool isInside)
 {
   for (const std::size_t block : blocks)

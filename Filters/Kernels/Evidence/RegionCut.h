@@ -15,6 +15,15 @@
 namespace FlipFree
 {
 
+/// The blocks of a cut around an organ in which a ball of the radius fits, at most so many
+/// millimeters long.
+double RegionBlockSize(double radius);
+
+/// The smoothness wanted grows with the organ, else small organs collapse: `smoothness` is what a
+/// cut costs per mm2 and millimeter of the radius, of which 5 to 40 count. `spread` is the standard
+/// deviation of the organ's gray values; three of them make an edge.
+BlockLinks RegionLinks(double smoothness, double radius, double spread);
+
 struct RegionProposal
 {
   std::vector<std::size_t> Blocks; ///< without those that are no nodes

@@ -54,10 +54,9 @@ double GrayValueSimilarity::LikenessOf(double value, const RobustStatistics& of)
   return std::max(-1.0, std::min(fit, 1.0)); // -1 of no data, too
 }
 
-double GrayValueSimilarity::ReachOfLikeness(const ImageView<float>& image,
+double GrayValueSimilarity::ReachOfLikeness(const ImagePart& image, const ImageGeometry& geometry,
   const Eigen::Vector3d& point, double limit) const
 {
-  const ImageGeometry& geometry = image.Geometry;
   const double step = geometry.Spacing.maxCoeff();
   const double first = std::max(FirstBall, FirstBallVoxels * geometry.Spacing.minCoeff());
   const VoxelBox box = BoxAround(geometry, point, std::max(limit, first));
@@ -70,7 +69,7 @@ double GrayValueSimilarity::ReachOfLikeness(const ImageView<float>& image,
       {
         for (int i = box.Begin[0]; i < box.End[0]; ++i)
         {
-          visit((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm(), image(i, j, k));
+          visit((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm(), image.Row(j, k)[i]);
         }
       }
     }

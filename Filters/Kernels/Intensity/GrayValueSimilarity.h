@@ -61,8 +61,8 @@ public:
   double LikenessOf(double value, const RobustStatistics& of) const;
 
   /// How far around a point the smoothed image looks like it, at most `limit` millimeters.
-  double ReachOfLikeness(const ImageView<float>& image, const Eigen::Vector3d& point,
-    double limit) const;
+  double ReachOfLikeness(const ImagePart& image, const ImageGeometry& geometry,
+    const Eigen::Vector3d& point, double limit) const;
 
 private:
   double Noise;

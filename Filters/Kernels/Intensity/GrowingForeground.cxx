@@ -1,6 +1,5 @@
 #include "Intensity/GrowingForeground.h"
 
-#include "Intensity/ForegroundCorrection.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -147,19 +146,6 @@ void GrowingForeground::SetMask(BitMask mask)
 {
   this->Mask = std::move(mask);
   this->Bounds = this->Mask.Bounds();
-}
-
-bool GrowingForeground::Correct(const ConstraintList& constraints, double noise,
-  const Monitor& monitor)
-{
-  const ForegroundImage image{ this->GetImage(),
-    [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, noise, this->GetModality() };
-  // What points add may lie where nothing has been smoothed.
-  const bool done =
-    CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, this->Mask) &&
-    CutAtNoData(this->Region.GetReader(), this->Seed, this->Parallel, monitor, this->Mask);
-  this->Bounds = this->Mask.Bounds();
-  return done;
 }
 
 } // namespace FlipFree

@@ -6,7 +6,6 @@
 #ifndef FlipFreeGrowingForeground_h
 #define FlipFreeGrowingForeground_h
 
-#include "Image/PointConstraint.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -37,9 +36,6 @@ public:
   /// Finds the foreground, smoothing more wherever it comes near the sides of the box.
   bool Update(const IntensityModel& model, const Monitor& monitor);
 
-  /// Corrects the foreground by constraints (ForegroundCorrection.h).
-  bool Correct(const ConstraintList& constraints, double noise, const Monitor& monitor);
-
   void SetMask(BitMask mask);
   /// Leaves none.
   BitMask TakeMask() { return std::exchange(this->Mask, BitMask()); }
@@ -51,6 +47,8 @@ public:
   void Clear() { this->Mask = BitMask(); }
 
   const BitMask& GetMask() const { return this->Mask; }
+  /// Reads the voxels before smoothing.
+  const VoxelReader& GetReader() const { return this->Region.GetReader(); }
   const BitMask& GetNoData() const { return this->Region.GetNoData(); }
   /// Has values in the box that has been smoothed.
   ImageView<float> GetImage() const { return this->Region.View(); }

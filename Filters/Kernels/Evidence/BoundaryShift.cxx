@@ -1,4 +1,4 @@
-#include "Intensity/BoundaryShift.h"
+#include "Evidence/BoundaryShift.h"
 
 #include "Image/DistanceTransform.h"
 #include "Image/VoxelOffsets.h"
@@ -26,13 +26,10 @@ constexpr double OrganBall = 25;
 // Gray values look alike within this many standard deviations.
 constexpr double AlikeDeviations = 1.5;
 
-// What earlier corrections to the other side keep, in millimeters.
-constexpr double KeptRadius = 15;
-
 class Shift
 {
 public:
-  Shift(const ImagePart& image, const Correction& correction, double noise, Modality modality,
+  Shift(const ImagePart& image, const PointCorrection& correction, double noise, Modality modality,
     const ParallelFor& parallelFor, const Monitor& monitor, const BitMask& before)
     : Image(image)
     , Wanted(correction)
@@ -47,7 +44,6 @@ public:
   // Finds what changes sides, and what the cut has changed already.
   bool Find(BitMask& changed)
   {
-    const std::array<int, 3> own = NearestVoxel(this->Geometry, this->Wanted.Point);
     const bool target = this->Wanted.IsInside;
     const std::vector<float> squared =
       SquaredDistance(this->Before, target, this->Parallel, this->Ask);
@@ -56,6 +52,7 @@ public:
       return false;
     }
     this->Learn();
+    std::vector<std::size_t> atPoint;
     const auto& size = this->Geometry.Dimensions;
     for (int k = 0; k < size[2]; ++k)
     {
@@ -68,12 +65,15 @@ public:
             this->IsNear({ i, j, k }, std::sqrt(squared[this->Geometry.Offset(i, j, k)])))
           {
             changed.Insert(i, j, k);
+            if (this->IsOnWay({ i, j, k }))
+            {
+              atPoint.push_back(this->Geometry.Offset(i, j, k));
+            }
           }
         }
       }
     }
-    changed.Insert(own[0], own[1], own[2]);
-    return KeepConnected(changed, { this->Geometry.Offset(own[0], own[1], own[2]) }, this->Ask);
+    return KeepConnected(changed, atPoint, this->Ask);
   }
 
 private:
@@ -124,6 +124,16 @@ private:
     return (center - this->Wanted.Point).norm();
   }
 
+  // Whether it lies between the point and its side of the mask.
+  bool IsOnWay(const std::array<int, 3>& voxel) const
+  {
+    const Eigen::Vector3d way = this->Wanted.NearestOnSide - this->Wanted.Point;
+    const Eigen::Vector3d from =
+      this->Geometry.ToPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2])) - this->Wanted.Point;
+    const double along = std::max(0.0, std::min(1.0, from.dot(way) / way.squaredNorm()));
+    return (from - along * way).norm() <= this->Geometry.Spacing.maxCoeff();
+  }
+
   bool IsNear(const std::array<int, 3>& voxel, double depth) const
   {
     const double greatest = ShiftPart * std::min(this->Wanted.Away, GreatestDistance);
@@ -131,19 +141,12 @@ private:
     {
       return false;
     }
-    const Eigen::Vector3d center =
-      this->Geometry.ToPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
-    return std::none_of(this->Wanted.Kept.begin(), this->Wanted.Kept.end(),
-      [&](const SeedSphere& ball)
-      {
-        const double radius = std::min(std::max(ball.Radius, KeptRadius),
-          0.5 * (ball.Center - this->Wanted.Point).norm());
-        return (center - ball.Center).norm() <= radius;
-      });
+    return !this->Wanted.IsHeld(
+      this->Geometry.ToPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2])));
   }
 
   const ImagePart Image;
-  const Correction& Wanted;
+  const PointCorrection& Wanted;
   const GrayValueSimilarity Similarity;
   const ParallelFor& Parallel;
   const Monitor& Ask;
@@ -155,35 +158,20 @@ private:
 
 } // namespace
 
-bool ShiftBoundary(const ImagePart& image, const Correction& correction, double noise,
+bool ShiftBoundary(const ImagePart& image, const PointCorrection& correction, double noise,
   Modality modality, const ParallelFor& parallelFor, const Monitor& monitor, const BitMask& before,
-  BitMask& mask)
+  BitMask& changed)
 {
   const VoxelBox box = BoxAround(before.GetGeometry(), correction.Point, BoundaryShiftReach);
   const BitMask part = before.Cropped(box);
-  // What the cut has changed leads on to what the shift changes.
-  BitMask changed = mask.Cropped(box);
-  BitMask same = part;
-  if (correction.IsInside)
-  {
-    changed.Remove(part);
-  }
-  else
-  {
-    same.Remove(changed);
-    changed = same;
-  }
+  BitMask found(part.GetGeometry());
   if (!Shift(image.Cropped(box), correction, noise, modality, parallelFor, monitor, part)
-         .Find(changed))
+         .Find(found))
   {
     return false;
   }
-  changed.ForEachRun(0, changed.GetGeometry().Dimensions[2],
-    [&](int begin, int end, int j, int k)
-    {
-      mask.SetRun(correction.IsInside, box.Begin[0] + begin, box.Begin[0] + end, box.Begin[1] + j,
-        box.Begin[2] + k);
-    });
+  changed = BitMask(before.GetGeometry());
+  changed.Insert(found, box.Begin);
   return true;
 }
 

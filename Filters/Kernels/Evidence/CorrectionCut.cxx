@@ -1,0 +1,442 @@
+#include "Evidence/CorrectionCut.h"
+
+#include "Evidence/NestedParts.h"
+#include "Evidence/PointWorth.h"
+#include "Evidence/RegionCut.h"
+#include "Image/BallInside.h"
+#include "Image/DistanceTransform.h"
+#include "Image/VoxelOffsets.h"
+#include "Intensity/GrayValueSimilarity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace FlipFree
+{
+namespace
+{
+
+// What a cut costs per mm2 and millimeter of the organ's depth.
+constexpr double Smoothness = 0.1;
+// What a block of a part that a point proposes is worth, per mm3, and what staying is worth.
+constexpr double WorthOfPart = 0.7;
+
+// A point lies on top of a part that is at most so many times deeper.
+constexpr double OnTopOfLeak = 0.6;
+constexpr double OnTopOfMissedPart = 0.5;
+// What is missed is opened by this part of its depth, and no more than that many millimeters:
+// sheets may go all around the organ.
+constexpr double OpeningPart = 0.5;
+constexpr double GreatestOpening = 5;
+
+// Of a bridge to a point not otherwise connected with the mask, in millimeters.
+constexpr double BridgeRadius = 3;
+
+// The organ's gray values are those in the mask within this many seed radii of the seed's center,
+// such as both the cortex and the medulla of a kidney; fewer voxels tell nothing.
+constexpr double OrganInSeedRadii = 2.5;
+constexpr std::size_t LeastOrganVoxels = 30;
+
+class CorrectionCutter
+{
+public:
+  CorrectionCutter(const CorrectionEvidence& evidence,
+    const std::vector<PointCorrection>& corrections, const ParallelFor& parallelFor,
+    const Monitor& monitor)
+    : Known(evidence)
+    , Corrections(corrections)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Grid(CorrectionGrid(evidence.Before, evidence.Seed))
+    , Similarity(evidence.Noise, evidence.Kind)
+    , Smooth(SmoothBlockMeans(evidence.Image, Grid, parallelFor))
+    , Fill(VoxelsPerBlockOf(evidence.Before))
+    , Worth(Fill.size(), Stays)
+    , IsCertain(Fill.size(), false)
+  {
+    const std::size_t half = (this->Grid.VoxelsPerBlock() + 1) / 2;
+    this->IsIn.reserve(this->Fill.size());
+    for (const std::size_t count : this->Fill)
+    {
+      this->IsIn.push_back(count >= half ? 1 : 0);
+    }
+  }
+
+  bool Execute(std::array<BitMask, 2>& changed)
+  {
+    const OrganGrayValues organ{
+      StatisticsInBall(this->Known.Image, this->Grid.Voxels, this->Known.Seed), {}
+    };
+    for (const PointCorrection& correction : this->Corrections)
+    {
+      if (correction.Away > 0 &&
+        !(this->ProposeSurroundings(correction, organ.OfSeed) && this->ProposePart(correction)))
+      {
+        return false;
+      }
+    }
+    for (BitMask& mask : changed)
+    {
+      mask = BitMask(this->Known.Before.GetGeometry());
+    }
+    return this->Cut(changed);
+  }
+
+private:
+  std::vector<std::size_t> VoxelsPerBlockOf(const BitMask& mask) const
+  {
+    std::vector<std::size_t> counts(this->Grid.Blocks.NumberOfVoxels(), 0);
+    this->Grid.ForEachRun(mask, this->Parallel,
+      [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
+    return counts;
+  }
+
+  bool IsRight(std::size_t block, const PointCorrection& correction) const
+  {
+    return (this->IsIn[block] != 0) == correction.IsInside;
+  }
+
+  // Of what the mask holds around the seed, but for what is as near to the point as its side.
+  RobustStatistics StatisticsOfOrgan(const PointCorrection& correction,
+    const RobustStatistics& ofSeed) const
+  {
+    const ImageGeometry& voxels = this->Grid.Voxels;
+    const SeedSphere& seed = this->Known.Seed;
+    std::vector<float> values;
+    for (const std::size_t voxel :
+      VoxelsInSphere(voxels, { seed.Center, OrganInSeedRadii * seed.Radius }))
+    {
+      const std::array<int, 3> index = IndexOf(voxel, voxels);
+      const Eigen::Vector3d center =
+        voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+      if (this->Known.Before(index[0], index[1], index[2]) &&
+        (center - correction.Point).norm() > correction.Away)
+      {
+        values.push_back(this->Known.Image.Row(index[1], index[2])[index[0]]);
+      }
+    }
+    return values.size() < LeastOrganVoxels ? ofSeed : RobustStatisticsOf(values);
+  }
+
+  bool ProposeSurroundings(const PointCorrection& correction, const RobustStatistics& ofSeed)
+  {
+    const PointWorth worth(this->Known.Image, this->Grid.Voxels, correction, this->Similarity,
+      { ofSeed, this->StatisticsOfOrgan(correction, ofSeed) });
+    std::vector<std::size_t> gaining;
+    for (const std::size_t block :
+      VoxelsAround(this->Grid.Blocks, { correction.Point, correction.Domain }))
+    {
+      if (this->IsRight(block, correction))
+      {
+        continue;
+      }
+      const Eigen::Vector3d place = this->Grid.CenterOf(block);
+      const auto gain = static_cast<float>(worth.Of(this->Smooth[block], place));
+      if (worth.IsCertain(place))
+      {
+        gaining.push_back(block);
+        this->MakeCertain(block, correction);
+      }
+      else if (gain > 0)
+      {
+        gaining.push_back(block);
+      }
+      if (!correction.IsHeld(place))
+      {
+        this->Worth[block] = std::max(this->Worth[block], gain);
+      }
+    }
+    if (correction.IsInside && !this->LeadsToMask(correction.Point, std::move(gaining)))
+    {
+      this->MakeBridge(correction);
+    }
+    return this->Ask(0.5);
+  }
+
+  void MakeCertain(std::size_t block, const PointCorrection& correction)
+  {
+    if (!correction.IsHeld(this->Grid.CenterOf(block)))
+    {
+      this->Worth[block] = std::max(this->Worth[block], 0.0F);
+      this->IsCertain[block] = true;
+    }
+  }
+
+  // Whether blocks, in ascending order, connect a point with the mask.
+  bool LeadsToMask(const Eigen::Vector3d& point, const std::vector<std::size_t>& blocks) const
+  {
+    const ImageGeometry& grid = this->Grid.Blocks;
+    std::vector<bool> isReached(blocks.size(), false);
+    std::vector<std::size_t> front{ this->Grid.BlockAt(point) };
+    for (std::size_t next = 0; next < front.size(); ++next)
+    {
+      const std::array<int, 3> index = IndexOf(front[next], grid);
+      for (int side = 0; side < 6; ++side)
+      {
+        std::array<int, 3> beside = index;
+        beside[side / 2] += side % 2 == 0 ? -1 : 1;
+        if (!grid.Contains(beside[0], beside[1], beside[2]))
+        {
+          continue;
+        }
+        const std::size_t other = grid.Offset(beside[0], beside[1], beside[2]);
+        if (this->IsIn[other])
+        {
+          return true;
+        }
+        const auto found = std::lower_bound(blocks.begin(), blocks.end(), other);
+        if (found != blocks.end() && *found == other && !isReached[found - blocks.begin()])
+        {
+          isReached[found - blocks.begin()] = true;
+          front.push_back(other);
+        }
+      }
+    }
+    return false;
+  }
+
+  // An organ is one piece: the shortest way from an inside point to the mask belongs to it.
+  void MakeBridge(const PointCorrection& correction)
+  {
+    const Eigen::Vector3d way = correction.NearestOnSide - correction.Point;
+    const int steps =
+      std::max(1, static_cast<int>(std::ceil(way.norm() / this->Grid.Blocks.Spacing.minCoeff())));
+    for (int step = 0; step <= steps; ++step)
+    {
+      const Eigen::Vector3d place = correction.Point + way * step / steps;
+      for (const std::size_t block : VoxelsAround(this->Grid.Blocks, { place, BridgeRadius }))
+      {
+        if (!this->IsIn[block])
+        {
+          this->MakeCertain(block, correction);
+        }
+      }
+    }
+  }
+
+  // False if the monitor stopped it.
+  bool ProposePart(const PointCorrection& correction)
+  {
+    const std::size_t own = this->Grid.BlockAt(correction.Point);
+    if (this->IsRight(own, correction))
+    {
+      return true;
+    }
+    if (!correction.IsInside)
+    {
+      if (!this->Leaks)
+      {
+        const std::vector<float> depth =
+          SquaredDistance(this->IsIn, this->Grid.Blocks, 0, this->Parallel, this->Ask);
+        if (depth.empty())
+        {
+          return false;
+        }
+        this->Leaks.emplace(depth, this->Grid.Blocks,
+          VoxelsAround(this->Grid.Blocks, this->Known.Seed));
+      }
+      this->Propose(this->Leaks->PartAround(own, {}, OnTopOfLeak), *this->Leaks, correction);
+      return true;
+    }
+    if (!this->Missed && !this->FindMissed())
+    {
+      return false;
+    }
+    std::vector<std::size_t> part = this->Missed->PartAround(own, {}, OnTopOfMissedPart);
+    if (!this->OpenMissed(part))
+    {
+      return false;
+    }
+    this->Propose(std::move(part), *this->Missed, correction);
+    return true;
+  }
+
+  // The parts of the candidate that are not in the mask.
+  bool FindMissed()
+  {
+    std::vector<unsigned char> missed(this->IsIn.size(), 0);
+    if (!this->Known.Candidate.GetWords().empty())
+    {
+      const std::vector<std::size_t> counts = this->VoxelsPerBlockOf(this->Known.Candidate);
+      for (std::size_t block = 0; block < missed.size(); ++block)
+      {
+        missed[block] = !this->IsIn[block] && 2 * counts[block] > this->Grid.VoxelsPerBlock();
+      }
+    }
+    this->MissedDepth = SquaredDistance(missed, this->Grid.Blocks, 0, this->Parallel, this->Ask);
+    if (this->MissedDepth.empty())
+    {
+      return false;
+    }
+    this->Missed.emplace(this->MissedDepth, this->Grid.Blocks, std::vector<std::size_t>());
+    return true;
+  }
+
+  bool OpenMissed(std::vector<std::size_t>& part) const
+  {
+    float peak = 0;
+    for (const std::size_t block : part)
+    {
+      peak = std::max(peak, this->MissedDepth[block]);
+    }
+    const double radius = std::min(GreatestOpening, OpeningPart * std::sqrt(peak));
+    std::vector<unsigned char> isDeep(this->IsIn.size(), 0);
+    for (const std::size_t block : part)
+    {
+      isDeep[block] = this->MissedDepth[block] >= radius * radius ? 1 : 0;
+    }
+    const std::vector<float> toDeep =
+      SquaredDistance(isDeep, this->Grid.Blocks, 1, this->Parallel, this->Ask);
+    const double reach = radius + this->Grid.Blocks.Spacing.maxCoeff();
+    if (!toDeep.empty())
+    {
+      part.erase(std::remove_if(part.begin(), part.end(),
+                   [&](std::size_t block) { return toDeep[block] > reach * reach; }),
+        part.end());
+    }
+    return !toDeep.empty();
+  }
+
+  // But for the parts of it on top of which points of the other kind lie, and what they hold.
+  void Propose(std::vector<std::size_t> part, const NestedParts& parts,
+    const PointCorrection& correction)
+  {
+    const std::size_t own = this->Grid.BlockAt(correction.Point);
+    for (const Eigen::Vector3d& point : correction.Opposite)
+    {
+      const std::size_t other = this->Grid.BlockAt(point);
+      if (std::binary_search(part.begin(), part.end(), other))
+      {
+        const std::vector<std::size_t> back = parts.PartAround(other, { own }, OnTopOfMissedPart);
+        std::vector<std::size_t> rest;
+        std::set_difference(part.begin(), part.end(), back.begin(), back.end(),
+          std::back_inserter(rest));
+        part = std::move(rest);
+      }
+    }
+    for (const std::size_t block : part)
+    {
+      if (!correction.IsHeld(this->Grid.CenterOf(block)))
+      {
+        this->Worth[block] = std::max(this->Worth[block], static_cast<float>(WorthOfPart));
+      }
+    }
+  }
+
+  bool Cut(std::array<BitMask, 2>& changed)
+  {
+    const BlockNodes nodes(this->Worth.size(),
+      [this](std::size_t block) { return this->Worth[block] > Stays; });
+    const SeedSphere ball = BallInside(this->Known.Before, this->Known.Seed);
+    const BlockLinks links = RegionLinks(Smoothness, ball.Radius, this->SpreadIn(ball));
+    RegionCut cut(MakeBlockNetwork(
+                    this->Grid.Blocks, nodes, this->Smooth, links,
+                    [this](std::size_t block)
+                    { return this->IsIn[block] ? -this->Worth[block] : this->Worth[block]; },
+                    [this](std::size_t block) { return this->IsIn[block] ? 1 : -1; },
+                    this->Parallel),
+      CapacityUnit(this->Grid.Blocks, links), nodes);
+    for (std::size_t block = 0; block < this->IsCertain.size(); ++block)
+    {
+      if (this->IsCertain[block])
+      {
+        cut.Fix({ block }, !this->IsIn[block]);
+      }
+    }
+    if (!cut.Execute(this->Parallel, this->Ask))
+    {
+      return false;
+    }
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const auto isNow = [&](std::size_t block)
+    { return nodes.IsNode(block) ? cut.IsInside(block) : this->IsIn[block] != 0; };
+    for (std::size_t block = 0; block < this->IsIn.size(); ++block)
+    {
+      const bool isNode = nodes.IsNode(block);
+      const bool changes = isNode ? isNow(block) != (this->IsIn[block] != 0)
+                                  : this->IsRim(block) && this->LosesRim(block, isNow);
+      if (changes)
+      {
+        const std::array<int, 3> index = IndexOf(block, blocks);
+        this->Grid.SetBlock(true, index[0], index[1], index[2],
+          changed[isNode && isNow(block) ? 1 : 0]);
+      }
+    }
+    return true;
+  }
+
+  // Of the blocks' gray values, in which edges are looked for.
+  double SpreadIn(const SeedSphere& ball) const
+  {
+    std::vector<float> values;
+    for (const std::size_t block : VoxelsAround(this->Grid.Blocks, ball))
+    {
+      values.push_back(this->Smooth[block]);
+    }
+    return std::max(
+      { RobustStatisticsOf(values).StandardDeviation, 0.5 * this->Known.Noise, LeastDeviation });
+  }
+
+  // Whether a block holds a little of the mask.
+  bool IsRim(std::size_t block) const { return !this->IsIn[block] && this->Fill[block] > 0; }
+
+  // Whether most of the blocks around that were in the mask leave it.
+  template <typename IsNow>
+  bool LosesRim(std::size_t block, const IsNow& isNow) const
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const std::array<int, 3> index = IndexOf(block, blocks);
+    int balance = 0;
+    const VoxelBox around =
+      VoxelBox{ index, { { index[0] + 1, index[1] + 1, index[2] + 1 } } }.Widened({ { 1, 1, 1 } },
+        WholeBox(blocks));
+    for (int k = around.Begin[2]; k < around.End[2]; ++k)
+    {
+      for (int j = around.Begin[1]; j < around.End[1]; ++j)
+      {
+        for (int i = around.Begin[0]; i < around.End[0]; ++i)
+        {
+          const std::size_t other = blocks.Offset(i, j, k);
+          balance += !this->IsIn[other] ? 0 : isNow(other) ? 1 : -1;
+        }
+      }
+    }
+    return balance < 0;
+  }
+
+  static constexpr float Stays = -1e6F;
+
+  const CorrectionEvidence& Known;
+  const std::vector<PointCorrection>& Corrections;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  const BlockGrid Grid;
+  const GrayValueSimilarity Similarity;
+
+  // Of the blocks.
+  const std::vector<float> Smooth;     // gray values
+  const std::vector<std::size_t> Fill; // voxels in the mask
+  std::vector<unsigned char> IsIn;     // half of the block is in the mask
+  std::vector<float> Worth;            // of its changing sides, per mm3
+  std::vector<bool> IsCertain;         // that it does
+  std::optional<NestedParts> Leaks;
+  std::vector<float> MissedDepth;
+  std::optional<NestedParts> Missed;
+};
+
+} // namespace
+
+BlockGrid CorrectionGrid(const BitMask& mask, const SeedSphere& seed)
+{
+  return { mask.GetGeometry(), RegionBlockSize(BallInside(mask, seed).Radius) };
+}
+
+bool CutCorrections(const CorrectionEvidence& evidence,
+  const std::vector<PointCorrection>& corrections, const ParallelFor& parallelFor,
+  const Monitor& monitor, std::array<BitMask, 2>& changed)
+{
+  return CorrectionCutter(evidence, corrections, parallelFor, monitor).Execute(changed);
+}
+
+} // namespace FlipFree

@@ -1,0 +1,73 @@
+#include "Evidence/NestedParts.h"
+
+#include <algorithm>
+#include <array>
+
+namespace FlipFree
+{
+namespace
+{
+
+// How narrow a neck is, in comparison with the smaller of the parts that it connects.
+constexpr std::array<double, 5> NeckRatios{ { 0.5, 0.6, 0.7, 0.8, 0.9 } };
+
+} // namespace
+
+NestedParts::NestedParts(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
+  const std::vector<std::size_t>& seed)
+  : Squared(squaredDistance)
+{
+  for (const double ratio : NeckRatios)
+  {
+    this->Levels.push_back(FindDistanceParts(squaredDistance, geometry, seed, ratio));
+  }
+}
+
+std::vector<std::size_t> NestedParts::PartAround(std::size_t voxel,
+  const std::vector<std::size_t>& others, double top) const
+{
+  std::vector<std::size_t> part;
+  bool isPart = false;
+  for (const DistanceParts& level : this->Levels)
+  {
+    const int own = level.PartOf[voxel];
+    if (own == DistanceParts::Outside || level.HoldsSeed[own])
+    {
+      continue;
+    }
+    if (!isPart)
+    {
+      for (std::size_t other = 0; other < level.PartOf.size(); ++other)
+      {
+        if (level.PartOf[other] == own)
+        {
+          part.push_back(other);
+        }
+      }
+      isPart = true;
+    }
+    else
+    {
+      part.erase(std::remove_if(part.begin(), part.end(),
+                   [&](std::size_t other) { return level.PartOf[other] != own; }),
+        part.end());
+    }
+    float peak = 0;
+    for (const std::size_t other : part)
+    {
+      peak = std::max(peak, this->Squared[other]);
+    }
+    if (this->Squared[voxel] < top * top * peak)
+    {
+      continue;
+    }
+    if (std::none_of(others.begin(), others.end(),
+          [&](std::size_t other) { return std::binary_search(part.begin(), part.end(), other); }))
+    {
+      return part;
+    }
+  }
+  return {};
+}
+
+} // namespace FlipFree

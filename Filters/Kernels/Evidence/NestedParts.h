@@ -1,0 +1,35 @@
+/**
+ * The parts of a shape that are connected by necks, from large parts, which only narrow necks
+ * divide, to small ones.
+ */
+#ifndef FlipFreeNestedParts_h
+#define FlipFreeNestedParts_h
+
+#include "Image/DistanceParts.h"
+
+#include <vector>
+
+namespace FlipFree
+{
+
+class NestedParts
+{
+public:
+  /// Of the shape with these squared distances from its outside (FindDistanceParts()); `seed` are
+  /// voxels that no part holds.
+  NestedParts(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
+    const std::vector<std::size_t>& seed);
+
+  /// The voxels of the largest part around a voxel that holds neither the seed nor one of `others`;
+  /// empty if there is none. With more others, it can only get smaller.
+  std::vector<std::size_t> PartAround(std::size_t voxel, const std::vector<std::size_t>& others,
+    double top) const;
+
+private:
+  const std::vector<float> Squared;
+  std::vector<DistanceParts> Levels;
+};
+
+} // namespace FlipFree
+
+#endif
