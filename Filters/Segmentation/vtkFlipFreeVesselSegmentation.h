@@ -6,6 +6,7 @@
  * cross-sections along the path, and deforms a quadrilateral mesh onto the outline, from coarse to
  * fine. The mesh begins within the outline, as the surface of cells of a grid: closed, without
  * holes or handles, with four neighbors at every vertex, so that a tree, too, is a single surface.
+ * At the end, faces of more than four corners are cut into triangles.
  * The guard limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, however
  * its faces are cut into triangles, and vertices lie at single-precision numbers.
  *

@@ -301,8 +301,9 @@ void Write(vtkPolyData* data, const std::string& file)
   writer->Write();
 }
 
+// `name`: of the files of the surface and its centerline.
 Score MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points, vtkImageData* image,
-  vtkImageData* labels, const Options& options, Filter* filter)
+  vtkImageData* labels, const Options& options, const std::string& name, Filter* filter)
 {
   filter->SetInputData(image);
   filter->SetRadius(options.Radius);
@@ -329,8 +330,8 @@ Score MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points, 
   if (!options.Surfaces.empty())
   {
     std::filesystem::create_directories(options.Surfaces);
-    Write(filter->GetSurface(), options.Surfaces + "/" + tube.Name + ".vtp");
-    Write(filter->GetCenterline(), options.Surfaces + "/" + tube.Name + "-line.vtp");
+    Write(filter->GetSurface(), options.Surfaces + "/" + name + ".vtp");
+    Write(filter->GetCenterline(), options.Surfaces + "/" + name + "-line.vtp");
   }
   Score score{ overlap.Dice, std::nan(""), seconds, 1 };
   if (!options.Methods.empty())
@@ -446,7 +447,9 @@ void Measure(const Options& options)
         }
       };
       vtkNew<Filter> filter;
-      const Score own = MeasureTube(tube, points, image, parts, options, filter);
+      const std::string name =
+        tube.Name + (options.Repeats > 1 ? "-" + std::to_string(repeat + 1) : "");
+      const Score own = MeasureTube(tube, points, image, parts, options, name, filter);
       add(FlipFreeName, own);
       for (const std::string& method : options.Methods)
       {

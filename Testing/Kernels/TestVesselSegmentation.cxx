@@ -117,6 +117,13 @@ TEST(VesselSegmentation, ATreeIsOneSurface)
   EXPECT_GT(DiceOf(result, { BetweenClicks(trunk), BetweenClicks(branch, 0) }, grid), 0.95);
   EXPECT_EQ(result.Surface.SelfIntersections, 0);
   EXPECT_EQ(result.Surface.Mesh.EulerNumber(), 2);
+  // Whoever cuts it with other software finds nothing that may be cut wrongly.
+  const FaceList& faces = result.Surface.Mesh.Faces;
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    ASSERT_LE(faces.FaceSize(face), 4);
+  }
+  EXPECT_TRUE(FaceHulls(result.Surface.Points, faces).FindOverlappingFaces().empty());
 
   // The same bits for any number of threads.
   const VesselSegmentation again = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},

@@ -99,6 +99,9 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
   {
     return result;
   }
+  // Where cells of the start surface meet in a hollow, faces have five corners or six.
+  result.Surface.Mesh =
+    BuildMeshAtRest(result.Surface.Mesh.NumberOfPoints(), CutLargeFaces(result.Surface.Mesh.Faces));
   result.Surface.SelfIntersections =
     CountSelfIntersections(result.Surface.Points, result.Surface.Mesh.Faces, threading.For);
   if (settings.Step.Guard && result.Surface.SelfIntersections > 0)

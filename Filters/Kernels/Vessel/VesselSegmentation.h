@@ -28,7 +28,7 @@ struct VesselSegmentationSettings
 struct VesselSegmentation
 {
   VesselTree Tree;
-  OrganSurface Surface;
+  OrganSurface Surface; ///< of triangles and quads, a mesh at rest
   std::vector<VoxelRun> Voxels;
   std::vector<std::string> Warnings; ///< a message each, with its remedy
   /// Path, outline to start surface, deformation, label map.
