@@ -111,7 +111,8 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
       " pairs of faces although every step was certified, which should be impossible; please "
       "report it with the image and the points");
   }
-  AddWarnings(volume.Geometry, points, result);
+  result.Confidence = ConfidenceOf(result.Tree, settings.Confidence);
+  AddWarnings(volume.Geometry, points, settings.Confidence.Doubtful, result);
   result.Voxels = VoxelizeSurface(result.Surface.Points, result.Surface.Mesh.Triangles,
     volume.Geometry, threading.For);
   result.StageSeconds[3] = watch.Lap();
