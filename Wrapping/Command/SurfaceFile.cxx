@@ -171,11 +171,12 @@ bool IsCertified(vtkPolyData* surface)
   return certified && certified->GetNumberOfTuples() == 1 && certified->GetTuple1(0) == 1;
 }
 
-/// Whether single precision, which all formats but .vtp have, moves a point.
-bool IsRounded(vtkPolyData* surface)
+/// Whether the format moves a point: single precision may, and decimal digits.
+bool IsRounded(vtkPolyData* surface, const std::string& name)
 {
   const FlipFree::PointList points = FlipFree::CopyPoints(surface);
-  return points.cast<float>().cast<double>() != points;
+  return HasEnding(name, { ".obj" }) ||
+    (HasEnding(name, { ".stl", ".ply" }) && points.cast<float>().cast<double>() != points);
 }
 
 /// What was certified is not the file but the surface: the file's positions may be rounded.
@@ -193,11 +194,11 @@ void RequireValid(vtkPolyData* found, vtkPolyData* surface, const std::string& n
   const std::string defects = count("SelfIntersections") + " pairs of faces touch each other, " +
     count("BoundaryEdges") + " edges are open, and " + count("NonManifoldEdges") +
     " belong to more than two faces.";
-  if (HasEnding(name, { ".vtp" }) || !IsRounded(surface))
+  if (!IsRounded(surface, name))
   {
     throw std::logic_error("in '" + name + "', as it is read back, " + defects +
       " That should be impossible, as every step was certified. Please report it with the image "
-      "and the points.");
+      "and the command.");
   }
   throw Failure("'" + name +
     "' cannot hold this surface: with positions rounded as the format asks, " + defects +
