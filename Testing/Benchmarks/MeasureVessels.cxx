@@ -489,10 +489,14 @@ void Measure(const Options& options)
   for (const auto& [organ, found] : scores)
   {
     const std::vector<Score>& own = found.at(FlipFreeName);
-    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f, area under the curve of the "
-                "confidence for less than %.1f: %.2f\n",
-      organ.c_str(), own.size(), MedianOf(own, &Score::Dice), LeastDice(own), poor,
-      AreaUnderCurve(own, poor));
+    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f", organ.c_str(), own.size(),
+      MedianOf(own, &Score::Dice), LeastDice(own));
+    const double area = AreaUnderCurve(own, poor);
+    if (!std::isnan(area))
+    {
+      std::printf(", below %.1f by confidence: area under the curve %.2f", poor, area);
+    }
+    std::printf("\n");
   }
   if (!options.Methods.empty())
   {
