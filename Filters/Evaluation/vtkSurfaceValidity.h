@@ -7,7 +7,9 @@
  * itself, and has no flipped corner. Polygons may be cut into triangles along any of their
  * diagonals (polygons with more than eight corners only along those from the first corner).
  * Self-intersections are pairs of faces that some cuts make intersect in more than a shared vertex
- * or edge, decided exactly; a face whose own triangles may overlap is paired with itself. The
+ * or edge, decided exactly; a face whose own triangles may overlap is paired with itself. Two faces
+ * that can be cut along the same diagonal are such a pair, since that would be an edge of more than
+ * two triangles. The
  * surface may be open, of any genus, and have any of these defects.
  *
  * Input port 0: vtkPolyData, the surface.

@@ -148,6 +148,7 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
   this->StopReason = static_cast<int>(FlipFree::StopReason::NotRun);
   this->NumberOfSelfIntersections = -1;
   this->Support = 0;
+  this->Confidence = 0;
   std::fill_n(this->StageSeconds, 4, 0.0);
   try
   {
@@ -183,6 +184,7 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
   }
   this->NumberOfSelfIntersections = static_cast<int>(result.Surface.SelfIntersections);
   this->Support = result.Tree.Support;
+  this->Confidence = result.Confidence.Value;
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   FlipFree::AttachMesh(result.Surface.Mesh, result.Surface.Points, surface);
   FlipFree::AttachField(result.Surface.Field, surface);
@@ -210,6 +212,7 @@ void vtkFlipFreeVesselSegmentation::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << "Correction: " << FlipFree::NameOf(correction) << "\n";
   }
   os << indent << "Support: " << this->Support << "\n";
+  os << indent << "Confidence: " << this->Confidence << "\n";
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
 }
 

@@ -6,6 +6,7 @@
  * cross-sections along the path, and deforms a quadrilateral mesh onto the outline, from coarse to
  * fine. The mesh begins within the outline, as the surface of cells of a grid: closed, without
  * holes or handles, with four neighbors at every vertex, so that a tree, too, is a single surface.
+ * At the end, faces of more than four corners are cut into triangles.
  * The guard limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, however
  * its faces are cut into triangles, and vertices lie at single-precision numbers.
  *
@@ -33,9 +34,8 @@
  * Output port 2: vtkPolyData, the centerline, as vtkVesselPath gives it.
  * Output port 3: vtkTable `Convergence`, as from vtkFlipFreeSegmentation.
  *
- * Warnings, which still give a result: the contrast across the outline is low (GetSupport() below
- * 0.8), with the place where it is lowest; the surface could not be refined, or it extends far
- * beyond the disks at the ends.
+ * Warnings, which still give a result: GetConfidence() is below 0.45, with the place where it is
+ * lowest; the surface could not be refined, or it extends far beyond the disks at the ends.
  */
 #ifndef vtkFlipFreeVesselSegmentation_h
 #define vtkFlipFreeVesselSegmentation_h
@@ -138,9 +138,16 @@ public:
   /**
    * The mean contrast across the outline in cross-sections, as a fraction of 25 gray values (HU; MR
    * scaled to CT): 1 where gray values inside and outside differ by that much or more everywhere, 0
-   * where they do not differ. Doubtful below 0.8. 0 before Update().
+   * where they do not differ. 0 before Update().
    */
   vtkGetMacro(Support, double);
+
+  /**
+   * How far the vessel can be trusted, 0 to 1: where it is least, over 30 mm, how well the image
+   * shows the outline, as in GetSupport(), and how like the vessel at the points is what the path
+   * runs through. Doubtful below 0.45. 0 before Update().
+   */
+  vtkGetMacro(Confidence, double);
 
   ///@{
   /**
@@ -161,6 +168,7 @@ protected:
   int StopReason = 0;
   int NumberOfSelfIntersections = -1;
   double Support = 0;
+  double Confidence = 0;
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:

@@ -1,8 +1,9 @@
 // Runs the segmentation of vessels over every row of DIR/tubes.csv, one setting for all, and prints
 // a table: overlap with the reference label between the planes across the path at its ends (with
-// those parts of the label alone that hold a point, by faces), how
-// much of the centerline lies within the reference, mean radius, seconds, self-intersections; and
-// a line per kind of vessel and half of the volumes (halves.csv).
+// those parts of the label alone that hold a point, by faces), confidence, volume, how much of the
+// centerline lies within the reference, mean radius, vertices, seconds, self-intersections; and a
+// line per kind of vessel and half of the volumes (halves.csv), with how well the confidence tells
+// poor results.
 //
 //   MeasureVessels [--data DIR] [--only TEXT] [--radius R] [--wall-thickness T] [--jitter MM]
 //                  [--repeats N] [--halves FILE] [--surfaces DIR] [--methods NAME ...]
@@ -163,6 +164,7 @@ struct Score
   double Dice = 0;
   double Distance = std::nan(""); ///< average symmetric surface distance, mm
   double Seconds = std::nan("");
+  double Confidence = 0;
   double TimesFlipFree = std::nan("");
 };
 
@@ -301,8 +303,9 @@ void Write(vtkPolyData* data, const std::string& file)
   writer->Write();
 }
 
+// `name`: of the files of the surface and its centerline.
 Score MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points, vtkImageData* image,
-  vtkImageData* labels, const Options& options, Filter* filter)
+  vtkImageData* labels, const Options& options, const std::string& name, Filter* filter)
 {
   filter->SetInputData(image);
   filter->SetRadius(options.Radius);
@@ -321,18 +324,19 @@ Score MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points, 
   }
   const Course course(filter->GetCenterline());
   const Overlap overlap = MeasureOverlap(filter->GetLabelMap(), labels, 1, course);
-  std::printf("| %-14s | %.3f | %+.2f | %.3f | %4.1f | %5d | %.2f | %d |\n", tube.Name.c_str(),
-    overlap.Dice, overlap.VolumeDifference, overlap.Inside, MeanRadius(filter->GetCenterline()),
+  std::printf("| %-14s | %.3f | %.2f | %+.2f | %.3f | %4.1f | %5d | %.2f | %d |\n",
+    tube.Name.c_str(), overlap.Dice, filter->GetConfidence(), overlap.VolumeDifference,
+    overlap.Inside, MeanRadius(filter->GetCenterline()),
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), seconds,
     filter->GetNumberOfSelfIntersections());
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {
     std::filesystem::create_directories(options.Surfaces);
-    Write(filter->GetSurface(), options.Surfaces + "/" + tube.Name + ".vtp");
-    Write(filter->GetCenterline(), options.Surfaces + "/" + tube.Name + "-line.vtp");
+    Write(filter->GetSurface(), options.Surfaces + "/" + name + ".vtp");
+    Write(filter->GetCenterline(), options.Surfaces + "/" + name + "-line.vtp");
   }
-  Score score{ overlap.Dice, std::nan(""), seconds, 1 };
+  Score score{ overlap.Dice, std::nan(""), seconds, filter->GetConfidence(), 1 };
   if (!options.Methods.empty())
   {
     score.Distance = MeanDistance(filter->GetLabelMap(), labels, course);
@@ -361,7 +365,7 @@ Score MeasureMethod(const std::string& name, const Tube& tube,
   std::printf("| %-14s | %.3f | %+.2f | %.2f mm | %s | %.2f |\n", tube.Name.c_str(), overlap.Dice,
     overlap.VolumeDifference, distance, name.c_str(), seconds);
   std::fflush(stdout);
-  return { overlap.Dice, distance, seconds, seconds / secondsOfFlipFree };
+  return { overlap.Dice, distance, seconds, 0, seconds / secondsOfFlipFree };
 }
 
 // By kind of vessel, all and each half, and method.
@@ -393,6 +397,27 @@ double LeastDice(const std::vector<Score>& scores)
   return least;
 }
 
+// The part of the pairs of a result below that Dice and one above in which the former has the lower
+// confidence.
+double AreaUnderCurve(const std::vector<Score>& scores, double dice)
+{
+  double right = 0;
+  double pairs = 0;
+  for (const Score& bad : scores)
+  {
+    for (const Score& good : scores)
+    {
+      if (bad.Dice < dice && good.Dice >= dice)
+      {
+        right +=
+          bad.Confidence < good.Confidence ? 1 : (bad.Confidence == good.Confidence ? 0.5 : 0);
+        ++pairs;
+      }
+    }
+  }
+  return pairs > 0 ? right / pairs : std::nan("");
+}
+
 void PrintComparison(const Scores& scores, const std::vector<std::string>& methods)
 {
   std::printf(
@@ -413,7 +438,8 @@ void PrintComparison(const Scores& scores, const std::vector<std::string>& metho
 
 void Measure(const Options& options)
 {
-  std::printf("| vessel | Dice | volume | inside | radius | vertices | s | self-intersections |\n");
+  std::printf("| vessel | Dice | confidence | volume | inside | radius | vertices | s | "
+              "self-intersections |\n");
   const std::map<std::string, std::string> halves = ReadHalves(options.Halves);
   Scores scores;
   std::string read; // the volume at hand
@@ -446,7 +472,9 @@ void Measure(const Options& options)
         }
       };
       vtkNew<Filter> filter;
-      const Score own = MeasureTube(tube, points, image, parts, options, filter);
+      const std::string name =
+        tube.Name + (options.Repeats > 1 ? "-" + std::to_string(repeat + 1) : "");
+      const Score own = MeasureTube(tube, points, image, parts, options, name, filter);
       add(FlipFreeName, own);
       for (const std::string& method : options.Methods)
       {
@@ -457,11 +485,18 @@ void Measure(const Options& options)
       }
     }
   }
+  constexpr double poor = 0.7; // Dice
   for (const auto& [organ, found] : scores)
   {
     const std::vector<Score>& own = found.at(FlipFreeName);
-    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f\n", organ.c_str(), own.size(),
+    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f", organ.c_str(), own.size(),
       MedianOf(own, &Score::Dice), LeastDice(own));
+    const double area = AreaUnderCurve(own, poor);
+    if (!std::isnan(area))
+    {
+      std::printf(", below %.1f by confidence: area under the curve %.2f", poor, area);
+    }
+    std::printf("\n");
   }
   if (!options.Methods.empty())
   {

@@ -274,6 +274,7 @@ test("a vessel is the command's", async () => {
   assert.equal(parent, -1);
   assert.ok(radii.every((radius) => radius > 3 && radius < 5) && vessel.radius > 3 && vessel.radius < 5);
   assert.ok(vessel.support > 0.9 && vessel.support <= 1);
+  assert.ok(vessel.confidence > 0.6 && vessel.confidence <= vessel.support);
 
   for (const [wrong, options, message] of [
     [[ends[0]], {}, /A vessel needs at least two points, not 1; give one at each end/],

@@ -64,6 +64,19 @@ class TestSurfaceFiles(command.CommandTest):
                 process = command.run("evaluate", self.result(name), self.result("labels.mha"))
                 self.assertRegex(process.stdout, r"surface +valid: closed, Euler number 2, self-intersections 0")
 
+    def test_trees_are_valid_in_every_format(self):
+        """Where branches meet, the start's faces have five corners or six, and VTK would cut bent ones with holes."""
+        z, y, x = numpy.indices((64, 64, 64)) - 31.5
+        branches = (numpy.hypot(y, z) < 5), (numpy.hypot(y - 0.9 * x, z) < 4) & (x > 0), (numpy.hypot(y + 0.6 * x, z - x) < 3) & (x > 0)
+        write_volume(self.result("organ.mha"), numpy.where(x < -28, -10.4, 1.1 * numpy.any(branches, axis=0) + 0.4), 10)
+        points = [word for x, y, z in ((6, 31.5, 31.5), (58, 31.5, 31.5), (58, 55, 31.5), (58, 15, 58)) for word in ("--point", x, y, z)]
+        for ending in READERS:
+            with self.subTest(ending=ending):
+                name = "tree" + ending
+                process = command.run("trace", self.result("organ.mha"), *points, "-o", self.result(name))
+                self.assertEqual(process.returncode, 0, process.stderr)
+                self.assertEqual(self.open_edges(name), 0)
+
     def test_what_a_format_cannot_hold_is_not_written(self):
         """Single precision is too coarse so far from the origin."""
         write_volume(self.result("organ.mha"), field()[0] < 16, 5, offset=10 ** 8)

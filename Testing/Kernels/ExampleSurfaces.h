@@ -6,6 +6,7 @@
 
 #include "Geometry/FaceHulls.h"
 #include "Mesh/ContourMesh.h"
+#include "Mesh/MidpointMesh.h"
 #include "Mesh/QuadSphere.h"
 
 #include <cmath>
@@ -79,6 +80,37 @@ inline Surface Joined(const Surface& first, const Surface& second)
 }
 
 /// Positive where the triangles face outward.
+/// Two blobs, joined by a neck of two quads, faces 0 and 1, that share two opposite corners: cut
+/// along these, both have the same diagonal. Of each blob, two pentagons (2 and 3, 10 and 11) have
+/// a diagonal in common, too. No faces intersect, and each vertex has four neighbors.
+inline PolygonMesh NeckOfTwoFaces()
+{
+  PolygonMesh mesh;
+  mesh.Points.resize(16, 3);
+  mesh.Points << 0, 1, 0, 0, -1, 0,                                                      // the neck
+    -1, 0, 1, -1, 0, -1, -2, 1, 0.7, -2, -1, 0.7, -2, 1, -0.7, -2, -1, -0.7, -2.5, 0, 0, //
+    1, 0, 1, 1, 0, -1, 2, 1, 0.7, 2, -1, 0.7, 2, 1, -0.7, 2, -1, -0.7, 2.5, 0, 0;
+  mesh.Faces.Append({ 0, 2, 1, 9 });
+  mesh.Faces.Append({ 0, 10, 1, 3 });
+  mesh.Faces.Append({ 2, 0, 3, 6, 4 });
+  mesh.Faces.Append({ 1, 2, 5, 7, 3 });
+  mesh.Faces.Append({ 2, 4, 5 });
+  mesh.Faces.Append({ 3, 7, 6 });
+  mesh.Faces.Append({ 4, 6, 8 });
+  mesh.Faces.Append({ 7, 5, 8 });
+  mesh.Faces.Append({ 5, 4, 8 });
+  mesh.Faces.Append({ 6, 7, 8 });
+  mesh.Faces.Append({ 11, 13, 10, 0, 9 });
+  mesh.Faces.Append({ 10, 14, 12, 9, 1 });
+  mesh.Faces.Append({ 12, 11, 9 });
+  mesh.Faces.Append({ 13, 14, 10 });
+  mesh.Faces.Append({ 15, 13, 11 });
+  mesh.Faces.Append({ 15, 12, 14 });
+  mesh.Faces.Append({ 15, 11, 12 });
+  mesh.Faces.Append({ 15, 14, 13 });
+  return mesh;
+}
+
 inline double EnclosedVolume(const Surface& surface)
 {
   double volume = 0;

@@ -30,8 +30,8 @@ inline void AppendWithCGAL(const PointList& points, const FaceList& faces,
   const std::function<bool(int face)>& otherDiagonal, PairList& pairs)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-  Surface surface;
+  using CutSurface = CGAL::Surface_mesh<Kernel::Point_3>;
+  CutSurface surface;
   for (Eigen::Index point = 0; point < points.rows(); ++point)
   {
     surface.add_vertex(Kernel::Point_3(points(point, 0), points(point, 1), points(point, 2)));
@@ -42,17 +42,17 @@ inline void AppendWithCGAL(const PointList& points, const FaceList& faces,
     const int size = faces.FaceSize(face);
     const int first = size == 4 && otherDiagonal(face) ? 1 : 0;
     const auto at = [&](int corner)
-    { return Surface::Vertex_index(faces.Face(face)[(first + corner) % size]); };
+    { return CutSurface::Vertex_index(faces.Face(face)[(first + corner) % size]); };
     for (int corner = 2; corner < size; ++corner)
     {
-      if (surface.add_face(at(0), at(corner - 1), at(corner)) == Surface::null_face())
+      if (surface.add_face(at(0), at(corner - 1), at(corner)) == CutSurface::null_face())
       {
         throw std::invalid_argument("CGAL refuses face " + std::to_string(face));
       }
       faceOf.push_back(face);
     }
   }
-  std::vector<std::pair<Surface::Face_index, Surface::Face_index>> found;
+  std::vector<std::pair<CutSurface::Face_index, CutSurface::Face_index>> found;
   CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(found));
   for (const auto& pair : found)
   {

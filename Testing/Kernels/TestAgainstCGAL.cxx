@@ -1,3 +1,4 @@
+#include "ExampleSurfaces.h"
 #include "FindWithCGAL.h"
 #include "Geometry/SelfIntersection.h"
 #include "RandomMotions.h"
@@ -105,4 +106,18 @@ TEST(SelfIntersectionAgainstCGAL, NearlyCoplanarCubes)
         << "n " << n << ", repeat " << repeat;
     }
   }
+}
+
+// CGAL takes no mesh with an edge of four triangles. Cut along other diagonals, it is valid.
+TEST(SelfIntersectionAgainstCGAL, FacesThatShareADiagonal)
+{
+  const PolygonMesh neck = NeckOfTwoFaces();
+  FaceList faces = CutLargeFaces(neck.Faces);
+  EXPECT_THROW(FindWithCGAL(neck.Points, faces), std::invalid_argument);
+  std::rotate(faces.Connectivity.begin(), faces.Connectivity.begin() + 1,
+    faces.Connectivity.begin() + 4);
+  PairList pairs;
+  AppendWithCGAL(
+    neck.Points, faces, [](int) { return false; }, pairs);
+  EXPECT_EQ(pairs, PairList());
 }

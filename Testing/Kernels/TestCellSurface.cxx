@@ -1,6 +1,8 @@
 #include "ExampleMasks.h"
+#include "Geometry/FaceHulls.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/ContourMesh.h"
+#include "Mesh/MeshRefinement.h"
 #include "Mesh/QuadSphere.h"
 #include "Mesh/SurfaceTopology.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -35,6 +37,10 @@ void ExpectSphere(const BitMask& ball)
   const ContourMesh mesh = BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces);
   EXPECT_EQ(mesh.EulerNumber(), 2);
   EXPECT_EQ(CountSelfIntersections(surface.Points, surface.Faces), 0);
+  const FaceList refined = RefineFaces(mesh).Faces;
+  EXPECT_TRUE(FaceHulls(PointList::Zero(4 * surface.Points.rows(), 3), refined)
+                .FindOverlappingFaces()
+                .empty());
   // The cells are inside and all others outside.
   EXPECT_EQ(CountVoxels(VoxelizeSurface(surface.Points, mesh.Triangles, ball.GetGeometry())),
     ball.Count());

@@ -77,3 +77,16 @@ TEST(ContourMesh, RefusesAnOpenMeshNamingItsVertex)
   EXPECT_NE(error.find("vertex " + std::to_string(vertex)), std::string::npos) << error;
   EXPECT_NE(error.find("3 faces instead of 4"), std::string::npos) << error;
 }
+
+TEST(ContourMesh, LargeFacesAreCutAsTheTrianglesAre)
+{
+  const FaceList faces = NeckOfTwoFaces().Faces;
+  const FaceList cut = CutLargeFaces(faces);
+  EXPECT_EQ(Triangulate(cut), Triangulate(faces));
+  EXPECT_EQ(cut.NumberOfFaces(), 14 + 4 * 3);
+  for (int face = 0; face < cut.NumberOfFaces(); ++face)
+  {
+    EXPECT_LE(cut.FaceSize(face), 4);
+  }
+  EXPECT_EQ(BuildMeshAtRest(16, cut).EulerNumber(), 2);
+}

@@ -1,4 +1,5 @@
 #include "ExampleMasks.h"
+#include "Vessel/Polyline.h"
 #include "Vessel/SectionSupport.h"
 #include "Vessel/StyleChoice.h"
 #include "Vessel/VesselPath.h"
@@ -108,7 +109,7 @@ TEST(SectionSupport, AlongTheVesselIsAMeanOfThoseNearby)
 {
   Eigen::VectorXd support = Eigen::VectorXd::Ones(20);
   support[0] = 0;
-  const Eigen::VectorXd along = SupportAlong(support, 1.5, 6); // two sections to either side
+  const Eigen::VectorXd along = MeanAlong(support, 1.5, 6); // two sections to either side
   EXPECT_NEAR(along[0], 2.0 / 3, 1e-12);
   EXPECT_NEAR(along[2], 0.8, 1e-12);
   EXPECT_NEAR(along[3], 1, 1e-12);

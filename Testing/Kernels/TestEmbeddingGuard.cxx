@@ -469,3 +469,11 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItselfWhereCornersStopTheMotion)
     }
   }
 }
+
+TEST(EmbeddingGuard, RefusesFacesThatShareADiagonal)
+{
+  const ContourMesh mesh = BuildContourMesh(16, NeckOfTwoFaces().Faces);
+  EXPECT_NE(ErrorOf([&] { EmbeddingGuard guard(mesh); })
+              .find("faces 0 and 1 share more than a vertex or an edge: both can be cut along"),
+    std::string::npos);
+}

@@ -231,3 +231,33 @@ TEST(FaceHulls, NamesFacesThatShareTooMuch)
   const std::vector<std::pair<int, int>> expected{ { 0, 1 } };
   EXPECT_EQ(FaceHulls(layout, faces).VisitAdjacentPairs(true, [](const auto&) {}), expected);
 }
+
+TEST(FaceHulls, NamesFacesThatShareADiagonal)
+{
+  using Pairs = std::vector<std::pair<int, int>>;
+  const auto overlapping = [](int numberOfPoints, const FaceList& faces)
+  { return FaceHulls(PointList::Zero(numberOfPoints, 3), faces).FindOverlappingFaces(); };
+  FaceList quads;
+  quads.Append({ 0, 1, 2, 3 });
+  quads.Append({ 0, 4, 2, 5 });
+  EXPECT_EQ(overlapping(6, quads), (Pairs{ { 0, 1 } }));
+  // One has an edge where the other can be cut.
+  FaceList mixed;
+  mixed.Append({ 0, 1, 2, 3 });
+  mixed.Append({ 0, 4, 2 });
+  EXPECT_EQ(overlapping(5, mixed), (Pairs{ { 0, 1 } }));
+  FaceList adjacent;
+  adjacent.Append({ 0, 1, 2, 3 });
+  adjacent.Append({ 1, 0, 4, 5 });
+  EXPECT_EQ(overlapping(6, adjacent), Pairs());
+  const PolygonMesh neck = NeckOfTwoFaces();
+  EXPECT_EQ(overlapping(16, neck.Faces), (Pairs{ { 0, 1 }, { 2, 3 }, { 10, 11 } }));
+  // A large face is cut in one way, along diagonals from its first corner, 8.
+  FaceList large = Antiprism(9);
+  EXPECT_EQ(overlapping(18, large), Pairs());
+  large.Append({ 8, 3, 18 });
+  large.Append({ 7, 3, 18 });
+  const Pairs found = overlapping(19, large);
+  EXPECT_TRUE(std::count(found.begin(), found.end(), std::make_pair(0, 20)) > 0);
+  EXPECT_TRUE(std::count(found.begin(), found.end(), std::make_pair(0, 21)) == 0);
+}

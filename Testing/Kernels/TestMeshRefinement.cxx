@@ -199,3 +199,10 @@ TEST(MeshRefinement, QuadsHaveTheBiquadraticMask)
     }
   }
 }
+
+TEST(MeshRefinement, PartsFacesThatShareADiagonal)
+{
+  const PolygonMesh neck = NeckOfTwoFaces();
+  const RefinedMesh refined = RefineFaces(BuildContourMesh(16, neck.Faces));
+  EXPECT_TRUE(FaceHulls(PointList::Zero(64, 3), refined.Faces).FindOverlappingFaces().empty());
+}

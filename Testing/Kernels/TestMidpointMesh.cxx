@@ -190,6 +190,10 @@ TEST(StartSurface, IsRefusedWhereItIsNoClosedEmbeddedSurface)
     std::swap(inside.Faces.Connectivity[3 * face], inside.Faces.Connectivity[3 * face + 1]);
   }
   ExpectRefused(inside, "is inside out");
+  ExpectRefused(NeckOfTwoFaces(),
+    "of the surface, faces 0 and 1 share more than a vertex or an edge: both can be cut along the "
+    "same diagonal, which would then be an edge of more than two triangles, near (0, 1, 0) mm; cut "
+    "one of them along another diagonal, or refine the surface there");
 }
 
 TEST(FixedSurface, IsTheVeryMeshThatIsGiven)

@@ -321,3 +321,15 @@ TEST(TriangleTree, QueryReachesExactlyTheTouchedTriangles)
     EXPECT_EQ(found, expected);
   }
 }
+
+// Nothing meets that should not, but an edge would belong to four triangles.
+TEST(SelfIntersection, FindsFacesThatShareADiagonal)
+{
+  const PolygonMesh neck = NeckOfTwoFaces();
+  const PairList expected{ { 0, 1 }, { 2, 3 }, { 10, 11 } };
+  EXPECT_EQ(FindSelfIntersections(neck.Points, neck.Faces), expected);
+  const SurfaceTopology whole = MeasureTopology(neck.Faces, CollectEdges(16, neck.Faces));
+  EXPECT_EQ(whole.BoundaryEdges + whole.NonManifoldEdges + whole.MisorientedEdges, 0);
+  const FaceList cut = FacesOf(Triangulate(neck.Faces));
+  EXPECT_EQ(MeasureTopology(cut, CollectEdges(16, cut)).NonManifoldEdges, 1);
+}

@@ -117,6 +117,13 @@ TEST(VesselSegmentation, ATreeIsOneSurface)
   EXPECT_GT(DiceOf(result, { BetweenClicks(trunk), BetweenClicks(branch, 0) }, grid), 0.95);
   EXPECT_EQ(result.Surface.SelfIntersections, 0);
   EXPECT_EQ(result.Surface.Mesh.EulerNumber(), 2);
+  // Whoever cuts it with other software finds nothing that may be cut wrongly.
+  const FaceList& faces = result.Surface.Mesh.Faces;
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    ASSERT_LE(faces.FaceSize(face), 4);
+  }
+  EXPECT_TRUE(FaceHulls(result.Surface.Points, faces).FindOverlappingFaces().empty());
 
   // The same bits for any number of threads.
   const VesselSegmentation again = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
@@ -521,9 +528,12 @@ TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
   const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
     Points({ { 30, 30, 12 }, { 30, 30, 66 } }), {}, LumenSettings(), OneThread, NeverStop);
   EXPECT_LT(result.Tree.Support, DoubtfulSupport);
+  EXPECT_LT(result.Confidence.Value, VesselConfidenceSettings().Doubtful);
+  EXPECT_TRUE(result.Confidence.IsFaint);
   ASSERT_FALSE(result.Warnings.empty());
   const std::string& warning = result.Warnings.front();
-  EXPECT_NE(warning.find("The result is doubtful"), std::string::npos);
+  EXPECT_NE(warning.find("The result is doubtful: the vessel's boundary is hardly visible"),
+    std::string::npos);
   // It names a place between the stubs.
   double x = 0;
   double y = 0;
@@ -533,4 +543,76 @@ TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
   ASSERT_EQ(std::sscanf(warning.c_str() + place, "near (%lf, %lf, %lf) mm", &x, &y, &z), 3);
   EXPECT_GT(z, 22);
   EXPECT_LT(z, 56);
+}
+
+// What joins the two ends has an outline as fine as theirs, but is not as bright.
+TEST(VesselSegmentation, WarnsWhereThePathLeavesTheVessel)
+{
+  const auto stub = [](double from, double to)
+  {
+    return MakeTube([=](double t) { return Eigen::Vector3d(30, 30, from + (to - from) * t); },
+      [](double) { return 5.0; });
+  };
+  const ImageGeometry grid = Grid({ { 60, 60, 60 } }, { 1, 1, 1.5 });
+  FloatImage volume = VolumeOfTubes({ stub(5, 85) }, grid, 10);
+  const auto trace = [&]
+  {
+    return SegmentVessel(GrayVolumeOf(volume), "the volume",
+      Points({ { 30, 30, 12 }, { 30, 30, 78 } }), {}, LumenSettings(), OneThread, NeverStop);
+  };
+  const VesselSegmentation plain = trace();
+  EXPECT_GT(plain.Confidence.Value, 0.7);
+  EXPECT_TRUE(plain.Warnings.empty());
+
+  const ExampleTube other = stub(32, 58);
+  ForEachVoxel(grid,
+    [&](int i, int j, int k)
+    {
+      if (IsInTube(other, grid.ToPhysical(Eigen::Vector3d(i, j, k))))
+      {
+        volume.Voxels[grid.Offset(i, j, k)] -= 60;
+      }
+    });
+  const VesselSegmentation result = trace();
+  EXPECT_GT(result.Tree.Support, 0.9);
+  EXPECT_LT(result.Confidence.Value, VesselConfidenceSettings().Doubtful);
+  EXPECT_FALSE(result.Confidence.IsFaint);
+  EXPECT_GT(result.Confidence.Place.z(), 32);
+  EXPECT_LT(result.Confidence.Place.z(), 58);
+  ASSERT_EQ(result.Warnings.size(), 1U);
+  EXPECT_EQ(result.Warnings[0].find("The result is doubtful: the path leaves what looks like the "
+                                    "vessel at its points, most of all near ("),
+    0U);
+}
+
+TEST(VesselConfidence, IsThatOfTheLeastSection)
+{
+  VesselTree tree;
+  tree.Branches.resize(2);
+  for (VesselBranch& branch : tree.Branches)
+  {
+    for (int section = 0; section < 101; ++section)
+    {
+      branch.Sections.Frames.push_back(
+        { { 0, 0, 1.0 * section }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 } });
+    }
+    branch.Support.setConstant(101, 0.9);
+    branch.Speed.setConstant(101, 1);
+  }
+  VesselConfidenceSettings settings;
+  settings.Length = 10;
+  settings.SlownessWeight = 0.2;
+  EXPECT_NEAR(ConfidenceOf(tree, settings).Value, 0.9, 1e-12);
+  tree.Branches[1].Speed.segment(40, 21).setConstant(0.1);
+  const VesselConfidence slow = ConfidenceOf(tree, settings);
+  EXPECT_NEAR(slow.Value, 0.9 - 0.2 * std::log(10.0), 1e-12);
+  EXPECT_FALSE(slow.IsFaint);
+  EXPECT_NEAR(slow.Place.z(), 50, 6);
+  tree.Branches[0].Support.segment(70, 21).setConstant(0.2);
+  const VesselConfidence faint = ConfidenceOf(tree, settings);
+  EXPECT_NEAR(faint.Value, 0.2, 1e-12);
+  EXPECT_TRUE(faint.IsFaint);
+  EXPECT_NEAR(faint.Place.z(), 80, 6);
+  tree.Branches[0].Speed.setConstant(1e-3);
+  EXPECT_EQ(ConfidenceOf(tree, settings).Value, 0);
 }

@@ -55,6 +55,7 @@ class TestTrace(unittest.TestCase):
         self.assertEqual(branch["points"].shape, (len(branch["radius"]), 3))
         self.assertEqual(len(vessel.stage_seconds), 4)
         self.assertTrue(0.9 < vessel.support <= 1, vessel.support)
+        self.assertTrue(0.6 < vessel.confidence <= vessel.support, vessel.confidence)
         self.assertRegex(repr(vessel), r"^<Vessel: \d+ vertices, 0 self-intersections, '")
 
     def test_centerline_is_vtks(self):

@@ -171,8 +171,16 @@ bool IsCertified(vtkPolyData* surface)
   return certified && certified->GetNumberOfTuples() == 1 && certified->GetTuple1(0) == 1;
 }
 
+/// Whether the format moves a point: single precision may, and decimal digits.
+bool IsRounded(vtkPolyData* surface, const std::string& name)
+{
+  const FlipFree::PointList points = FlipFree::CopyPoints(surface);
+  return HasEnding(name, { ".obj" }) ||
+    (HasEnding(name, { ".stl", ".ply" }) && points.cast<float>().cast<double>() != points);
+}
+
 /// What was certified is not the file but the surface: the file's positions may be rounded.
-void RequireValid(vtkPolyData* found, const std::string& name)
+void RequireValid(vtkPolyData* found, vtkPolyData* surface, const std::string& name)
 {
   vtkNew<vtkSurfaceValidity> validity;
   validity->SetInputData(found);
@@ -183,10 +191,18 @@ void RequireValid(vtkPolyData* found, const std::string& name)
   }
   const auto count = [&validity](const char* measure)
   { return std::to_string(validity->GetMeasures()->GetValueByName(0, measure).ToInt()); };
+  const std::string defects = count("SelfIntersections") + " pairs of faces touch each other, " +
+    count("BoundaryEdges") + " edges are open, and " + count("NonManifoldEdges") +
+    " belong to more than two faces.";
+  if (!IsRounded(surface, name))
+  {
+    throw std::logic_error("in '" + name + "', as it is read back, " + defects +
+      " That should be impossible, as every step was certified. Please report it with the image "
+      "and the command.");
+  }
   throw Failure("'" + name +
-    "' cannot hold this surface: with positions rounded as the format asks, " +
-    count("SelfIntersections") + " pairs of faces touch each other, and " + count("BoundaryEdges") +
-    " edges are open. Write a .vtp file, which holds positions in double precision.");
+    "' cannot hold this surface: with positions rounded as the format asks, " + defects +
+    " Write a .vtp file, which holds positions in double precision.");
 }
 
 } // namespace
@@ -268,7 +284,7 @@ void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNam
   }
   if (IsCertified(surface))
   {
-    RequireValid(found, name);
+    RequireValid(found, surface, name);
   }
 }
 

@@ -150,6 +150,14 @@ void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const Poin
   const auto pairs = FindSelfIntersections(points, hulls, parallelFor);
   if (!pairs.empty())
   {
+    const auto overlapping = hulls.FindOverlappingFaces();
+    if (!overlapping.empty())
+    {
+      throw Error(ErrorCode::InvalidMesh,
+        "of " + name + ", " + NameOfOverlap(overlapping[0]) + ", near " +
+          TextOf(points.row(mesh.Faces.Face(overlapping[0].first)[0])) +
+          " mm; cut one of them along another diagonal, or refine the surface there");
+    }
     throw Error(ErrorCode::SelfIntersecting,
       name + " intersects itself in " + std::to_string(pairs.size()) +
         " pairs of faces, for some way to cut them into triangles, the first near " +

@@ -86,7 +86,8 @@ class PairLister
 {
 public:
   PairLister(const FaceParts& parts, int numberOfPoints, bool covered)
-    : Corners(parts.Corners)
+    : Parts(parts)
+    , Corners(parts.Corners)
     , Faces(parts.Faces)
     , AreCoveredWanted(covered)
     , FirstOfStar(numberOfPoints + 1, 0)
@@ -191,6 +192,14 @@ private:
       });
   }
 
+  // Whether two corners that both faces have are neighbors in one of them at most.
+  bool ShareDiagonal(int part, int other, const CornerSet& common) const
+  {
+    return common.size() == 2 && this->Faces[part] != this->Faces[other] &&
+      !(this->Parts.AreNeighbors(part, common[0], common[1]) &&
+        this->Parts.AreNeighbors(other, common[0], common[1]));
+  }
+
   // (b)
   void ListAdjacent(int part, int other)
   {
@@ -200,7 +209,7 @@ private:
     {
       (this->Corners[other].Contains(vertex) ? common : one).Add(vertex);
     }
-    if (common.size() > 2)
+    if (common.size() > 2 || this->ShareDiagonal(part, other, common))
     {
       this->Overlapping.emplace_back(this->Faces[part], this->Faces[other]);
       return;
@@ -268,6 +277,7 @@ private:
     }
   }
 
+  const FaceParts& Parts;
   const std::vector<CornerSet>& Corners;
   const std::vector<int>& Faces;
   const bool AreCoveredWanted;
@@ -285,6 +295,13 @@ std::vector<std::pair<int, int>> VisitAdjacentParts(const FaceParts& parts, int 
   bool covered, const HullPairVisitor& visit)
 {
   return PairLister(parts, numberOfPoints, covered).Run(visit);
+}
+
+std::string NameOfOverlap(const std::pair<int, int>& faces)
+{
+  return "faces " + std::to_string(faces.first) + " and " + std::to_string(faces.second) +
+    " share more than a vertex or an edge: both can be cut along the same diagonal, which would "
+    "then be an edge of more than two triangles";
 }
 
 } // namespace FlipFree

@@ -7,6 +7,7 @@
 #include "Geometry/FaceParts.h"
 
 #include <functional>
+#include <string>
 #include <utility>
 
 namespace FlipFree
@@ -26,6 +27,9 @@ using HullPairVisitor = std::function<void(const std::vector<HullPair>& pairs)>;
 /// FaceHulls::VisitAdjacentPairs says what this does.
 std::vector<std::pair<int, int>> VisitAdjacentParts(const FaceParts& parts, int numberOfPoints,
   bool covered, const HullPairVisitor& visit);
+
+/// What is wrong with two faces that FaceHulls::FindOverlappingFaces() returns, for messages.
+std::string NameOfOverlap(const std::pair<int, int>& faces);
 
 } // namespace FlipFree
 

@@ -33,6 +33,11 @@ std::vector<std::pair<int, int>> FaceHulls::VisitAdjacentPairs(bool covered,
   return VisitAdjacentParts(FaceParts(this->Polygons), this->NumberOfPoints, covered, visit);
 }
 
+std::vector<std::pair<int, int>> FaceHulls::FindOverlappingFaces() const
+{
+  return this->VisitAdjacentPairs(true, [](const std::vector<HullPair>&) {});
+}
+
 bool FaceHulls::AreDisjoint(int one, int two) const
 {
   const Hull first = this->HullAt(one);

@@ -6,13 +6,17 @@
  * its own way. So all cuts along diagonals are considered at once.
  *
  * Claim: whatever the cuts, two triangles of the surface meet only in the vertex or edge that they
- * share, if the convex hulls of these pairs of vertex sets are apart:
+ * share, and no edge belongs to more than two, if no two faces overlap and the convex hulls of
+ * these pairs of vertex sets are apart:
  *   (a) two faces without a common vertex;
  *   (b) for two faces F and G with the common vertices S, and each subset P of S, F without S but
  *       with P, and G without P;
  *   (c) within one face, sets of corners that have none in common and do not cross (around the
  *       face, all of one come before all of the other): in a triangle, one corner and the other
  *       two; in a larger face, one and three, two and two, two and three corners.
+ * Two faces overlap, wherever their vertices lie, if they share three vertices, and so a triangle,
+ * or two that are neighbors in one of them at most: along these, both can be cut, or one of them
+ * where the other has an edge. That edge would belong to three triangles or four.
  *
  * Proof. Let a point of two triangles T and U not lie in the hull of their common vertices. It is a
  * convex combination of the vertices of T, and another of those of U. Taking away from both what
@@ -75,11 +79,13 @@ public:
 
   /// Calls visit(pairs) with block after block of the pairs (b) and (c). A pair is covered if its
   /// sets also lie in those of another pair, which is tested anyway: it can only add names of
-  /// faces. `covered` selects such pairs, or else the others. Returns the pairs of faces that share
-  /// three vertices or more; there are cuts by which they share a triangle. They are in no pair
-  /// (b).
+  /// faces. `covered` selects such pairs, or else the others. Returns the pairs of faces that
+  /// overlap, which are in no pair (b).
   std::vector<std::pair<int, int>> VisitAdjacentPairs(bool covered,
     const HullPairVisitor& visit) const;
+
+  /// Those pairs of faces alone.
+  std::vector<std::pair<int, int>> FindOverlappingFaces() const;
 
 private:
   using HullList = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;

@@ -56,6 +56,13 @@ struct FaceParts
 
   std::vector<CornerSet> Corners;
   std::vector<int> Faces; ///< of each part
+
+  /// Whether two corners of a part are neighbors in its face, not only in the fan.
+  bool AreNeighbors(int part, int one, int two) const;
+
+private:
+  std::vector<unsigned char>
+    Sides; // per part, bit i: from corner i to the next is a side of the face
 };
 
 /// Calls append(hull) with hulls of four vertices that together are the hull of the set: every

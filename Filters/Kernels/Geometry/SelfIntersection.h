@@ -11,9 +11,9 @@ namespace FlipFree
 {
 
 /// The sorted pairs of faces, each with the lower index first, that some cuts make intersect in
-/// more than the vertex or edge they share; touching counts. A face whose own triangles may overlap
-/// is paired with itself. Points must be finite and indices valid. Degenerate triangles are
-/// reported together with their neighbors.
+/// more than the vertex or edge they share; touching counts, and so do faces that overlap
+/// (FaceHulls.h). A face whose own triangles may overlap is paired with itself. Points must be
+/// finite and indices valid. Degenerate triangles are reported together with their neighbors.
 std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
   const FaceList& faces, const ParallelFor& parallelFor = SerialFor);
 

@@ -2,10 +2,10 @@
  * The broad phase of the guard: which parts of a moving surface have to be tested against each
  * other.
  *
- * Claim: a surface stays embedded, however its faces are cut, as long as each pair of hulls that
- * FaceHulls names stays apart. Pairs of faces without a common vertex are found by a tree over
- * boxes of motions. Pairs of parts of adjacent faces, or of a single one, are all candidates.
- * Proof: at each time, FaceHulls.h applies.
+ * Claim: a surface whose faces do not overlap stays embedded, however they are cut, as long as each
+ * pair of hulls that FaceHulls names stays apart. Pairs of faces without a common vertex are found
+ * by a tree over boxes of motions. Pairs of parts of adjacent faces, or of a single one, are all
+ * candidates. Proof: at each time, FaceHulls.h applies.
  */
 #ifndef FlipFreeCandidatePairs_h
 #define FlipFreeCandidatePairs_h
@@ -31,7 +31,7 @@ public:
   /// Parts of adjacent faces, or of one.
   const std::vector<HullPair>& AdjacentPairs() const { return this->Adjacent; }
 
-  /// Pairs of faces that share three vertices or more: nothing keeps them apart.
+  /// FaceHulls::FindOverlappingFaces(): nothing keeps them apart.
   const std::vector<std::pair<int, int>>& OverlappingFaces() const { return this->Overlapping; }
 
   /// Calls visit(one, two) for the pairs of disjoint hulls that may come nearer to each other

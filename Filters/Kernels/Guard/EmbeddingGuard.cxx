@@ -72,9 +72,7 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh, const ParallelFor& paral
   const auto& overlapping = this->Candidates.OverlappingFaces();
   if (!overlapping.empty())
   {
-    throw Error(ErrorCode::InvalidMesh,
-      "faces " + std::to_string(overlapping[0].first) + " and " +
-        std::to_string(overlapping[0].second) + " share more than an edge; use a finer mesh");
+    throw Error(ErrorCode::InvalidMesh, NameOfOverlap(overlapping[0]) + "; use a finer mesh");
   }
 }
 

@@ -134,9 +134,30 @@ TriangleList Triangulate(const FaceList& faces)
   return triangles;
 }
 
+FaceList CutLargeFaces(const FaceList& faces)
+{
+  FaceList cut;
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    const int* const vertices = faces.Face(face);
+    const int size = faces.FaceSize(face);
+    if (size <= 4)
+    {
+      cut.Connectivity.insert(cut.Connectivity.end(), vertices, vertices + size);
+      cut.Offsets.push_back(static_cast<int>(cut.Connectivity.size()));
+      continue;
+    }
+    for (int corner = 2; corner < size; ++corner)
+    {
+      cut.Append({ vertices[0], vertices[corner - 1], vertices[corner] });
+    }
+  }
+  return cut;
+}
+
 int ContourMesh::EulerNumber() const
 {
-  const int edges = 2 * this->NumberOfPoints();
+  const int edges = static_cast<int>(this->Faces.Connectivity.size()) / 2; // each on two faces
   return this->NumberOfPoints() - edges + this->Faces.NumberOfFaces();
 }
 

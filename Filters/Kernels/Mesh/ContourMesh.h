@@ -20,6 +20,11 @@ namespace FlipFree
 /// voxelized by this triangulation.
 TriangleList Triangulate(const FaceList& faces);
 
+/// Faces of more than four corners cut in the same way, all others as they are: for whoever writes,
+/// draws or cuts the surface with other software. Where a face of five corners or more is bent, the
+/// ear cutting of VTK and others gives up without a word, and leaves a hole.
+FaceList CutLargeFaces(const FaceList& faces);
+
 struct ContourMesh
 {
   FaceList Faces;
@@ -36,7 +41,7 @@ struct ContourMesh
 
   int NumberOfPoints() const { return static_cast<int>(this->Neighbors.size()); }
 
-  /// Euler number V - E + F; 2 for a sphere.
+  /// Euler number V - E + F of the closed mesh; 2 for a sphere.
   int EulerNumber() const;
 };
 

@@ -3,6 +3,13 @@
  * M. Sabin, Behaviour of recursive division surfaces near extraordinary points, 1978). Every corner
  * of every face becomes a vertex, which again has four neighbors; the sphere of resolution n
  * becomes that of 2 n.
+ *
+ * No two refined faces overlap (Geometry/FaceHulls.h), even if old ones do. Proof: a refined face
+ * is that of an old face, vertex or edge. Those of two faces share nothing, nor do those of two
+ * vertices; those of a face and a vertex share at most the corners that the face has there, and
+ * each of them is one refined vertex. That of an edge shares two neighbors with those of its ends
+ * and of its faces. Those of two edges share a refined vertex if the edges follow each other around
+ * a face; they do so only once, as no two edges have the same ends.
  */
 #ifndef FlipFreeMeshRefinement_h
 #define FlipFreeMeshRefinement_h

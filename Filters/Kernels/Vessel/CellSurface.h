@@ -5,6 +5,10 @@
  * n cells it is the paper's cube (section 3.1), and its contours are those of slices through the
  * cells. So any shape has such a start surface: a tube that bends sharply, or the tree of a
  * vessel's branches.
+ *
+ * No two faces overlap (Geometry/FaceHulls.h). Proof: what the faces around the corners c and d
+ * share are the sides that have both. If c and d lie across a side, it is the only one. If an edge
+ * joins them, two sides of the surface meet there, neighbors around c and around d.
  */
 #ifndef FlipFreeCellSurface_h
 #define FlipFreeCellSurface_h

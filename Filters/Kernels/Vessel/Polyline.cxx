@@ -95,6 +95,19 @@ Eigen::VectorXd SmoothAlong(const Eigen::VectorXd& values, double deviation)
   return smooth;
 }
 
+Eigen::VectorXd MeanAlong(const Eigen::VectorXd& values, double step, double length)
+{
+  const auto reach = static_cast<Eigen::Index>(std::lround(length / 2 / step));
+  Eigen::VectorXd along(values.size());
+  for (Eigen::Index place = 0; place < values.size(); ++place)
+  {
+    const Eigen::Index first = std::max<Eigen::Index>(0, place - reach);
+    const Eigen::Index last = std::min<Eigen::Index>(values.size() - 1, place + reach);
+    along[place] = values.segment(first, last - first + 1).mean();
+  }
+  return along;
+}
+
 Eigen::VectorXd MedianAlong(const Eigen::VectorXd& values, int reach)
 {
   Eigen::VectorXd medians(values.size());

@@ -24,6 +24,10 @@ PointList SmoothLine(const PointList& line, double deviation);
 /// Averages values along a line in the same way, but at the ends over what is there.
 Eigen::VectorXd SmoothAlong(const Eigen::VectorXd& values, double deviation);
 
+/// Per place the mean over those within half of `length` millimeters to either side; `step`:
+/// millimeters from one place to the next.
+Eigen::VectorXd MeanAlong(const Eigen::VectorXd& values, double step, double length);
+
 /// The median of each value and those up to `reach` places before and after it.
 Eigen::VectorXd MedianAlong(const Eigen::VectorXd& values, int reach);
 

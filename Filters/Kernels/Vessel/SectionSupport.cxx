@@ -41,17 +41,4 @@ Eigen::VectorXd SectionSupport(const ImageView<float>& image, const VesselSectio
   return support;
 }
 
-Eigen::VectorXd SupportAlong(const Eigen::VectorXd& support, double sectionStep, double length)
-{
-  const auto reach = static_cast<Eigen::Index>(std::lround(length / 2 / sectionStep));
-  Eigen::VectorXd along(support.size());
-  for (Eigen::Index section = 0; section < support.size(); ++section)
-  {
-    const Eigen::Index first = std::max<Eigen::Index>(0, section - reach);
-    const Eigen::Index last = std::min<Eigen::Index>(support.size() - 1, section + reach);
-    along[section] = support.segment(first, last - first + 1).mean();
-  }
-  return along;
-}
-
 } // namespace FlipFree

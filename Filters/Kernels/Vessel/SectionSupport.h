@@ -15,9 +15,6 @@ namespace FlipFree
 Eigen::VectorXd SectionSupport(const ImageView<float>& image, const VesselSections& sections,
   const ParallelFor& parallelFor);
 
-/// Per section the mean over those within half of `length` millimeters to either side.
-Eigen::VectorXd SupportAlong(const Eigen::VectorXd& support, double sectionStep, double length);
-
 } // namespace FlipFree
 
 #endif

@@ -47,6 +47,18 @@ Eigen::VectorXd FirstRadii(const FloatImage& depth, const PointList& line)
   return (1.15 * MedianAlong(along, 4)).cwiseMin(1.5 * sorted[sorted.size() / 2]).cwiseMax(1.0);
 }
 
+// At the centers of sections, which may lie where no path enters.
+Eigen::VectorXd SpeedAt(const FloatImage& speed, const VesselSections& sections, double floor)
+{
+  Eigen::VectorXd along(static_cast<Eigen::Index>(sections.Frames.size()));
+  for (Eigen::Index section = 0; section < along.size(); ++section)
+  {
+    along[section] = std::max(floor,
+      InterpolateClamped(speed.View(), speed.Geometry.ToIndex(sections.Frames[section].Origin)));
+  }
+  return along;
+}
+
 // The longest stretch of a path without the vessel's gray values, in mm.
 double LongestGapOf(const FloatImage& speed, const PointList& line)
 {
@@ -109,7 +121,7 @@ bool AvoidStrays(const VesselTree& tree, double sectionStep, double floor, Float
   std::vector<std::size_t> strays;
   for (const VesselBranch& branch : tree.Branches)
   {
-    const Eigen::VectorXd along = SupportAlong(branch.Support, sectionStep, StrayLength);
+    const Eigen::VectorXd along = MeanAlong(branch.Support, sectionStep, StrayLength);
     const Eigen::VectorXd radii = branch.Sections.MeanRadii();
     for (Eigen::Index section = 0; section < along.size(); ++section)
     {
@@ -166,7 +178,7 @@ bool IsDoubtful(const VesselTree& tree, double sectionStep)
   return tree.Support < DoubtfulSupport ||
     std::any_of(tree.Branches.begin(), tree.Branches.end(),
       [&](const VesselBranch& branch)
-      { return SupportAlong(branch.Support, sectionStep, FaintLength).minCoeff() < FaintSupport; });
+      { return MeanAlong(branch.Support, sectionStep, FaintLength).minCoeff() < FaintSupport; });
 }
 
 } // namespace
@@ -287,9 +299,10 @@ VesselTree VesselSearch::Trace(const Monitor& monitor) const
     sections.LentRadius = SupportedRadius(tree);
     VesselBranch branch{ FitSections(own, line, FirstRadii(this->Depth, line), sections,
                            this->Parallel),
-      path.Parent, {} };
+      path.Parent, {}, {} };
     EndAtNoData(this->Image, branch.Sections);
     branch.Support = SectionSupport(own, branch.Sections, this->Parallel);
+    branch.Speed = SpeedAt(this->Speed, branch.Sections, this->Style.Speed.Floor);
     tree.Branches.push_back(std::move(branch));
   }
   tree.Radius = MeanRadius(tree);

@@ -99,6 +99,9 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
   {
     return result;
   }
+  // Where cells of the start surface meet in a hollow, faces have five corners or six.
+  result.Surface.Mesh =
+    BuildMeshAtRest(result.Surface.Mesh.NumberOfPoints(), CutLargeFaces(result.Surface.Mesh.Faces));
   result.Surface.SelfIntersections =
     CountSelfIntersections(result.Surface.Points, result.Surface.Mesh.Faces, threading.For);
   if (settings.Step.Guard && result.Surface.SelfIntersections > 0)
@@ -108,7 +111,8 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
       " pairs of faces although every step was certified, which should be impossible; please "
       "report it with the image and the points");
   }
-  AddWarnings(volume.Geometry, points, result);
+  result.Confidence = ConfidenceOf(result.Tree, settings.Confidence);
+  AddWarnings(volume.Geometry, points, settings.Confidence.Doubtful, result);
   result.Voxels = VoxelizeSurface(result.Surface.Points, result.Surface.Mesh.Triangles,
     volume.Geometry, threading.For);
   result.StageSeconds[3] = watch.Lap();

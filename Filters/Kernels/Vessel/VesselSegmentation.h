@@ -8,6 +8,7 @@
 
 #include "Deformation/VolumeSegmentation.h"
 #include "Image/PointConstraint.h"
+#include "Vessel/VesselConfidence.h"
 #include "Vessel/VesselPath.h"
 
 namespace FlipFree
@@ -23,12 +24,14 @@ struct VesselSegmentationSettings
   int LabelValue = 1;         ///< of the vessel's voxels; read by those who make the label map
   TargetSettings Targets;
   DeformationStepSettings Step;
+  VesselConfidenceSettings Confidence;
 };
 
 struct VesselSegmentation
 {
   VesselTree Tree;
-  OrganSurface Surface;
+  VesselConfidence Confidence;
+  OrganSurface Surface; ///< of triangles and quads, a mesh at rest
   std::vector<VoxelRun> Voxels;
   std::vector<std::string> Warnings; ///< a message each, with its remedy
   /// Path, outline to start surface, deformation, label map.

@@ -15,6 +15,7 @@ struct VesselBranch
   VesselSections Sections;
   int Parent = -1;         ///< the earlier branch on which it begins; none for the first
   Eigen::VectorXd Support; ///< SectionSupport of each section
+  Eigen::VectorXd Speed;   ///< VesselSpeed at each section, up to 1; above 0
 };
 
 struct VesselTree

@@ -41,30 +41,6 @@ double BeyondEnds(const VesselTree& tree, const PointList& points)
   return farthest;
 }
 
-// The middle of the sections, over a length that strikes the eye, with the least support.
-Eigen::Vector3d FaintestPlace(const VesselTree& tree)
-{
-  constexpr Eigen::Index reach = 7; // sections to either side: about 20 mm in all
-  Eigen::Vector3d faintest = tree.Branches.front().Sections.Frames.front().Origin;
-  double least = std::numeric_limits<double>::infinity();
-  for (const VesselBranch& branch : tree.Branches)
-  {
-    const Eigen::Index sections = branch.Support.size();
-    for (Eigen::Index section = 0; section < sections; ++section)
-    {
-      const Eigen::Index first = std::max<Eigen::Index>(0, section - reach);
-      const Eigen::Index last = std::min(sections - 1, section + reach);
-      const double mean = branch.Support.segment(first, last - first + 1).mean();
-      if (mean < least)
-      {
-        least = mean;
-        faintest = branch.Sections.Frames[section].Origin;
-      }
-    }
-  }
-  return faintest;
-}
-
 // Where a path runs at the border of the image, if it does: what it follows goes on beyond. The
 // ends of a vessel may lie there.
 std::optional<Eigen::Vector3d> PlaceAtBorder(const ImageGeometry& geometry, const VesselTree& tree)
@@ -98,7 +74,8 @@ std::optional<Eigen::Vector3d> PlaceAtBorder(const ImageGeometry& geometry, cons
 
 } // namespace
 
-void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselSegmentation& result)
+void AddWarnings(const ImageGeometry& geometry, const PointList& points, double doubtful,
+  VesselSegmentation& result)
 {
   constexpr double tolerance = 3; // mm
   if (result.Surface.Reason == StopReason::NotRefined)
@@ -107,12 +84,13 @@ void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselS
       "The surface could not be refined without intersecting itself, and "
       "is coarse; set {Levels} to 1, or move the points apart.");
   }
-  if (result.Tree.Support < DoubtfulSupport)
+  if (result.Confidence.Value < doubtful)
   {
-    result.Warnings.push_back(
-      "The result is doubtful: much of the vessel's boundary is hardly visible in the image, least "
-      "of all near " +
-      TextOf(FaintestPlace(result.Tree).array().round().matrix().transpose()) +
+    const std::string cause = result.Confidence.IsFaint
+      ? "the vessel's boundary is hardly visible in the image, least of all"
+      : "the path leaves what looks like the vessel at its points, most of all";
+    result.Warnings.push_back("The result is doubtful: " + cause + " near " +
+      TextOf(result.Confidence.Place.array().round().matrix().transpose()) +
       " mm; look there first: where the surface is not in the vessel, add a point of the vessel.");
   }
   const double beyond = BeyondEnds(result.Tree, result.Surface.Points);

@@ -9,8 +9,8 @@
 namespace FlipFree
 {
 
-/// `points`: as the user gave them.
-void AddWarnings(const ImageGeometry& geometry, const PointList& points,
+/// `points`: as the user gave them. `doubtful`: a vessel of less confidence is.
+void AddWarnings(const ImageGeometry& geometry, const PointList& points, double doubtful,
   VesselSegmentation& result);
 
 } // namespace FlipFree

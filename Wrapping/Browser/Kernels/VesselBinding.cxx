@@ -44,6 +44,7 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
       answer.set("branches", BranchesOf(result.Tree));
       answer.set("radius", result.Tree.Radius);
       answer.set("support", result.Tree.Support);
+      answer.set("confidence", result.Confidence.Value);
       return answer;
     });
 }

@@ -159,8 +159,13 @@ export interface Vessel extends Segmentation {
   branches: Branch[];
   /** The mean radius, in mm. */
   radius: number;
-  /** The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1: doubtful below 0.8. */
+  /** The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1. */
   support: number;
+  /**
+   * How far the vessel can be trusted, where least, 0 to 1: how well the image shows its outline, and how like the vessel
+   * is what the path runs through. Doubtful below 0.45, which a warning says.
+   */
+  confidence: number;
 }
 
 export interface Scores {

@@ -177,6 +177,7 @@ class VesselAlgorithm:
             centerline=_detached(self.settings.GetCenterline()),
             stage_seconds=tuple(self.settings.GetStageSeconds()),
             support=self.settings.GetSupport(),
+            confidence=self.settings.GetConfidence(),
         )
 
 

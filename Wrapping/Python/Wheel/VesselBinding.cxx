@@ -87,6 +87,7 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
   answer["branches"] = BranchesOf(result.Tree);
   answer["support"] = result.Tree.Support;
+  answer["confidence"] = result.Confidence.Value;
   answer["stage_seconds"] =
     std::vector<double>(result.StageSeconds.begin(), result.StageSeconds.end());
   nb::dict found =

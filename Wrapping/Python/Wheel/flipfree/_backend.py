@@ -230,6 +230,7 @@ class VesselAlgorithm:
             branches=answer["branches"],
             stage_seconds=tuple(answer["stage_seconds"]),
             support=answer["support"],
+            confidence=answer["confidence"],
         )
 
 

@@ -150,8 +150,11 @@ class Vessel(Segmentation):
     """Of path and outline, start surface, deformation, label map."""
 
     support: float = math.nan
-    """The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1; doubtful
-    below 0.8, which a FlipFreeWarning says."""
+    """The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1."""
+
+    confidence: float = math.nan
+    """How far the vessel can be trusted, where least, 0 to 1: how well the image shows its outline, and how
+    like the vessel is what the path runs through. Doubtful below 0.45, which a FlipFreeWarning says."""
 
     @property
     def centerline(self) -> Any:
