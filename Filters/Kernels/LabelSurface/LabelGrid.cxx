@@ -59,14 +59,14 @@ void RequireLabels(LabelCensus& census, const std::vector<int>& wanted, const st
     if (census.Values.count(label) == 0)
     {
       throw Error(ErrorCode::EmptyMask,
-        name + " has no voxel with label " + std::to_string(label) +
-          (census.Values.empty() ? std::string()
-                                 : "; of those wanted, it has " + FirstOf(census.Values)));
+        name + " has no voxel with label " + std::to_string(label) + "; choose other {Labels}" +
+          (census.Values.empty() ? "" : ", as " + FirstOf(census.Values)));
     }
   }
   if (census.Values.empty())
   {
-    throw Error(ErrorCode::EmptyMask, name + " has no labels, all voxels are 0");
+    throw Error(ErrorCode::EmptyMask,
+      name + " has no labels, since all voxels are 0; give one that has some");
   }
 }
 
