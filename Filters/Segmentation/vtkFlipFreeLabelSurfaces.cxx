@@ -4,8 +4,9 @@
 #include "ExecutionAdapter.h"
 #include "FilterReport.h"
 #include "LabelAdapter.h"
-#include "LabelSurface/LabelSurfaces.h"
+#include "LabelSurface/LabelSurfaceParameters.h"
 #include "PipelineAdapter.h"
+#include "StageProperties.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -148,13 +149,18 @@ void FillTable(const std::vector<FlipFree::LabelMeasures>& rows, const LabelName
 
 } // namespace
 
+#define FLIPFREE_STAGE vtkFlipFreeLabelSurfaces
+#define PROPERTIES(P) FLIPFREE_LABEL_SURFACE_PARAMETERS(P, Settings->)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
 vtkFlipFreeLabelSurfaces::vtkFlipFreeLabelSurfaces()
+  : Settings(std::make_unique<FlipFree::LabelSurfaceSettings>())
 {
-  const FlipFree::LabelSurfaceSettings defaults;
-  this->Distance = defaults.Distance;
-  this->Iterations = defaults.Iterations;
   this->SetNumberOfOutputPorts(3);
 }
+
+vtkFlipFreeLabelSurfaces::~vtkFlipFreeLabelSurfaces() = default;
 
 void vtkFlipFreeLabelSurfaces::AddLabel(int label)
 {
@@ -221,16 +227,12 @@ int vtkFlipFreeLabelSurfaces::RequestData(vtkInformation*, vtkInformationVector*
   {
     const std::string name = "the label map{ on port 0}";
     FlipFree::RequireLabelMap(image, name);
-    FlipFree::LabelSurfaceSettings settings;
-    settings.Exact = this->Exact;
-    settings.Distance = this->Distance;
-    settings.Iterations = this->Iterations;
     const FlipFree::LabelSurfaces surfaces = FlipFree::VisitVoxels(image, name,
       [&](const auto& view)
       {
         return FlipFree::MakeLabelSurfaces(
           FlipFree::MakeLabelGrid(view, this->Labels, name, FlipFree::SMPFor), view.Geometry,
-          settings, FlipFree::SMPFor, FlipFree::MonitorOf(this));
+          *this->Settings, FlipFree::SMPFor, FlipFree::MonitorOf(this));
       });
     if (!surfaces.Complete || FlipFree::IsAborted(this))
     {
@@ -264,9 +266,10 @@ void vtkFlipFreeLabelSurfaces::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << label;
   }
   os << "\n";
-  os << indent << "Exact: " << this->Exact << "\n";
-  os << indent << "Distance: " << this->Distance << "\n";
-  os << indent << "Iterations: " << this->Iterations << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
   os << indent << "NumberOfWrongVoxels: " << this->NumberOfWrongVoxels << "\n";
   os << indent << "GreatestDistance: " << this->GreatestDistance << "\n";
 }
+
+#undef PROPERTIES
+#undef FLIPFREE_STAGE

@@ -39,8 +39,8 @@
  * Errors, with a code of FlipFreeErrorCode.h and with empty outputs: an image without voxels,
  * scalars of one component or a proper grid; a voxel that is negative or no whole number; no
  * labels, more than 100,000 of them, or none of a value that AddLabel() asks for; voxels so small,
- * so far from the origin, that single precision cannot hold the surfaces; a property out of its
- * range.
+ * so far from the origin, that single precision cannot hold the surfaces; a Distance that
+ * is not a number.
  *
  * @sa vtkFlipFreeSegmentation, vtkSurfaceToLabelMap, vtkSurfaceNets3D
  */
@@ -50,10 +50,16 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
 #include <vector> // for the labels
 
 class vtkMultiBlockDataSet;
 class vtkTable;
+
+namespace FlipFree
+{
+struct LabelSurfaceSettings;
+}
 
 class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeLabelSurfaces : public vtkPolyDataAlgorithm
 {
@@ -77,8 +83,8 @@ public:
   /**
    * Keep the center of each voxel on the side of its own label. Default off.
    */
-  vtkSetMacro(Exact, bool);
-  vtkGetMacro(Exact, bool);
+  void SetExact(bool value);
+  bool GetExact() const;
   vtkBooleanMacro(Exact, bool);
   ///@}
 
@@ -86,18 +92,18 @@ public:
   /**
    * With Exact off: how far walls may go along each axis to be smooth, from the corner of voxels
    * where they start, before voxels change sides. Voxels; default 0.9, 0.5 to 1. A voxel whose
-   * center the walls pass changes sides. At 0.5, none does.
+   * center the walls pass changes sides.
    */
-  vtkSetMacro(Distance, double);
-  vtkGetMacro(Distance, double);
+  void SetDistance(double value);
+  double GetDistance() const;
   ///@}
 
   ///@{
   /**
    * Of the smoothing. Default 50, 0 to 10,000. Without any, walls are those of the voxels' corners.
    */
-  vtkSetMacro(Iterations, int);
-  vtkGetMacro(Iterations, int);
+  void SetIterations(int value);
+  int GetIterations() const;
   ///@}
 
   ///@{
@@ -119,21 +125,20 @@ public:
 
 protected:
   vtkFlipFreeLabelSurfaces();
-  ~vtkFlipFreeLabelSurfaces() override = default;
+  ~vtkFlipFreeLabelSurfaces() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  std::vector<int> Labels;
-  bool Exact = false;
-  double Distance;
-  int Iterations;
   vtkIdType NumberOfWrongVoxels = 0;
   double GreatestDistance = 0;
 
 private:
+  std::vector<int> Labels;
+  const std::unique_ptr<FlipFree::LabelSurfaceSettings> Settings;
+
   vtkFlipFreeLabelSurfaces(const vtkFlipFreeLabelSurfaces&) = delete;
   void operator=(const vtkFlipFreeLabelSurfaces&) = delete;
 };

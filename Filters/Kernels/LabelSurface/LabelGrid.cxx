@@ -59,8 +59,9 @@ void RequireLabels(LabelCensus& census, const std::vector<int>& wanted, const st
     if (census.Values.count(label) == 0)
     {
       throw Error(ErrorCode::EmptyMask,
-        name + " has no voxel with label " + std::to_string(label) + "; choose other {Labels}" +
-          (census.Values.empty() ? "" : ", as " + FirstOf(census.Values)));
+        name + " has no voxel with label " + std::to_string(label) + "; change {Labels}" +
+          (census.Values.empty() ? ""
+                                 : "; those of them that it has are " + FirstOf(census.Values)));
     }
   }
   if (census.Values.empty())

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <functional>
+#include <mutex>
 #include <numeric>
 
 namespace FlipFree

@@ -7,6 +7,8 @@
 #include "LabelSurface/LabelGrid.h"
 #include "Mesh/SurfaceVoxelization.h"
 
+#include <functional>
+
 namespace FlipFree
 {
 

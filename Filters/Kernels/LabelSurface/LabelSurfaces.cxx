@@ -2,6 +2,7 @@
 
 #include "LabelSurface/SmoothLabels.h"
 #include "LabelSurface/WallTriangles.h"
+#include "MessageText.h"
 
 #include <cmath>
 
@@ -14,16 +15,18 @@ using Eigen::Vector3d;
 
 void RequireInRange(const LabelSurfaceSettings& settings)
 {
-  if (!(settings.Distance >= 0.5 && settings.Distance <= 1))
+  if (!(settings.Distance >= MinimumWallDistance && settings.Distance <= MaximumWallDistance))
   {
     throw Error(ErrorCode::OutOfRange,
-      "{Distance} is " + std::to_string(settings.Distance) +
-        " voxels; choose 0.5 to 1, or {Exact} surfaces");
+      "{Distance} is " + TextOf(settings.Distance) + " voxels; choose " +
+        TextOf(MinimumWallDistance) + " to " + TextOf(MaximumWallDistance) +
+        ", or {Exact} surfaces");
   }
-  if (settings.Iterations < 0 || settings.Iterations > 10000)
+  if (settings.Iterations < 0 || settings.Iterations > MaximumWallIterations)
   {
     throw Error(ErrorCode::OutOfRange,
-      "{Iterations} is " + std::to_string(settings.Iterations) + "; choose 0 to 10000");
+      "{Iterations} is " + std::to_string(settings.Iterations) + "; choose 0 to " +
+        std::to_string(MaximumWallIterations));
   }
 }
 

@@ -23,6 +23,11 @@
 namespace FlipFree
 {
 
+/// The ranges of settings.
+constexpr double MinimumWallDistance = 0.5;
+constexpr double MaximumWallDistance = 1;
+constexpr int MaximumWallIterations = 10000;
+
 struct LabelSurfaceSettings
 {
   /// Every voxel center stays on its label's side: the voxels of the surfaces are the label map.
