@@ -25,9 +25,9 @@
 namespace FlipFree
 {
 
-/// The image, named by `name`, as the label map that kernels read. It outlives the volume. Throws
-/// Error when it has no voxels or no proper grid, no scalars of one component, or scalars of bits.
-inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
+/// Throws Error, naming the image by `name`, when it has no voxels or no proper grid, or no scalars
+/// of one component.
+inline void RequireLabelMap(vtkImageData* image, const std::string& name)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (image->GetNumberOfPoints() == 0)
@@ -41,6 +41,13 @@ inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
       name + " has no scalars of one component per voxel; make its label array the active scalars");
   }
   RequireProperGrid(image, name);
+}
+
+/// The image, named by `name`, as the label map that kernels read. It outlives the volume. Throws
+/// Error as RequireLabelMap() does, and when the scalars are bits.
+inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
+{
+  RequireLabelMap(image, name);
   return VisitVoxels(image, name,
     [&name](const auto& view) { return LabelVolumeOf(view, name, SMPThreading()); });
 }

@@ -12,6 +12,7 @@
 #include "Exchange/DicomChoice.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -52,6 +53,32 @@ vtkSmartPointer<vtkDataArray> AllocateScalars(const FlipFree::VolumeHeader& head
   scalars->SetVoidArray(voxels, static_cast<vtkIdType>(header.Geometry.NumberOfVoxels()), 0,
     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
   return scalars;
+}
+
+// What the labels of a file's layer are called.
+void AttachLabelNames(const FlipFree::VolumeFileHeader& file, int layer, vtkImageData* image)
+{
+  vtkNew<vtkDoubleArray> labels;
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkStringArray> colors;
+  labels->SetName("SegmentLabels");
+  names->SetName("SegmentNames");
+  colors->SetName("SegmentColors");
+  for (const FlipFree::Segment& segment : FlipFree::SegmentsOf(file))
+  {
+    if (segment.Layer == layer)
+    {
+      labels->InsertNextValue(segment.Label);
+      names->InsertNextValue(segment.Name);
+      colors->InsertNextValue(segment.Color);
+    }
+  }
+  if (labels->GetNumberOfValues() > 0)
+  {
+    image->GetFieldData()->AddArray(labels);
+    image->GetFieldData()->AddArray(names);
+    image->GetFieldData()->AddArray(colors);
+  }
 }
 
 } // namespace
@@ -117,8 +144,8 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
         vtkWarningMacro(<< warning);
       }
       found.Header = { file.Geometry, FlipFree::ScalarTypeOf(file.ValueType()) };
-      found.Label = FlipFree::ChooseLabel(FlipFree::SegmentsOf(file.Pairs, name), file.Layers.Count,
-        segment, name);
+      found.Label =
+        FlipFree::ChooseLabel(FlipFree::SegmentsOf(file), file.Layers.Count, segment, name);
     }
   }
   catch (const std::exception& error)
@@ -161,6 +188,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
             "' has changed since its header was read. Call Modified() and update again.");
       }
       FlipFree::ReadVolumeFile(file, found.Label.Layer, scalars->GetVoidPointer(0), monitor);
+      AttachLabelNames(file, found.Label.Layer, output);
     }
     else
     {

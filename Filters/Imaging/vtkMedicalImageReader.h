@@ -22,8 +22,11 @@
  * What is no slice of the series is left out: objects without pixels, scouts, a slice that is there
  * twice, damaged files of other series. One warning says how many files, and why.
  *
- * Output port 0: vtkImageData with one component of scalars, `ImageScalars`. Image field data, for
- * DICOM only: `SeriesUID`, one string, which SeriesUID would take to read the same again.
+ * Output port 0: vtkImageData with one component of scalars, `ImageScalars`. Image field data: for
+ * DICOM, `SeriesUID`, one string, which SeriesUID would take to read the same again; for a file
+ * that says what its labels are called (a segmentation of 3D Slicer, .seg.nrrd, or a NIfTI file
+ * with a label table, as TotalSegmentator writes it), `SegmentLabels` (double), `SegmentNames` and
+ * `SegmentColors` (texts, the latter such as \#ffd24a, or empty).
  *
  * RequestInformation gives extent, spacing, origin, direction and scalar type from the header
  * alone.
@@ -86,11 +89,11 @@ public:
 
   ///@{
   /**
-   * A label of a label map: of a segmentation of 3D Slicer (.seg.nrrd), a segment by its name, in
-   * whichever case; of any file, the value of its voxels, "6". Of several layers, which hold
-   * segments that overlap, the output is the one that holds it; all labels of that layer are there,
-   * and GetSegmentLabel() says which value is meant. Empty or unset (the default), there may be but
-   * one layer.
+   * A label of a label map: of a segmentation of 3D Slicer (.seg.nrrd), or of a NIfTI file with a
+   * label table, a segment by its name, in whichever case; of any file, the value of its voxels,
+   * "6". Of several layers, which hold segments that overlap, the output is the one that holds it;
+   * all labels of that layer are there, and GetSegmentLabel() says which value is meant. Empty or
+   * unset (the default), there may be but one layer.
    */
   vtkSetStringMacro(Segment);
   vtkGetStringMacro(Segment);

@@ -5,11 +5,12 @@ import unittest
 import command
 
 WORDS = {
-    (): ("segment", "trace", "evaluate", "series", "phantom", "LPS", "Examples:", "Exit status"),
+    (): ("segment", "trace", "surfaces", "evaluate", "series", "phantom", "LPS", "Examples:", "Exit status"),
     ("segment",): ("--seed ", "--seed-voxel", "--radius", "LPS", "millimeters", ".vtp", ".nii.gz", "--preset",
                    "published", "naive", "--threads", "--series", "Examples:"),
     ("trace",): ("--point X Y Z", "LPS", "millimeters", "--radius", "--wall-thickness", "--centerline", "Examples:"),
     ("evaluate",): ("SEGMENTATION", "REFERENCE", "--label", "--csv", "Examples:"),
+    ("surfaces",): ("LABELS", "--output", "--format", "--names", "--exact", "--distance", "Examples:"),
     ("series",): ("FOLDER", "--csv", "--series", "UID#1", "Examples:"),
     ("phantom",): ("sphere", "cube", "cup", "u-tube", "vessel", "abdomen", "Examples:"),
 }

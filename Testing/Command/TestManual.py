@@ -13,7 +13,7 @@ import unittest
 
 import command
 
-SUBCOMMANDS = ("segment", "trace", "evaluate", "series", "phantom")
+SUBCOMMANDS = ("segment", "trace", "surfaces", "evaluate", "series", "phantom")
 
 
 def generated(kind):

@@ -322,3 +322,33 @@ TEST(NiftiHeader, MoreVoxelsThanTheFormatCanNumber)
 }
 
 } // namespace
+
+// As TotalSegmentator and the Connectome Workbench write it.
+TEST(NiftiHeader, NamesLabelsByATable)
+{
+  const std::string xml =
+    "<?xml version=\"1.0\"?><CaretExtension><LabelTable>"
+    "<Label Key=\"0\" Red=\"0\"><![CDATA[???]]></Label>\n"
+    "<Label Key=\"5\" Red=\"1\" Alpha=\"1\"><![CDATA[liver <left>]]></Label>\n"
+    "<Label Red=\"1\" Key=\"70000\">A &amp; B</Label>"
+    "<Label Key=\"x\">none</Label><Label Key=\"6\">cut off";
+  std::string bytes = UprightFile();
+  const auto withExtension = [&](std::int32_t size, const std::string& text)
+  {
+    std::string extended = NiftiWith(bytes, 348, char(1));
+    std::string prefix(8, '\0');
+    prefix = NiftiWith(prefix, 0, size);
+    extended += prefix + text;
+    return NiftiWith(extended, 108, static_cast<float>(extended.size()));
+  };
+  const std::map<int, std::string> expected{ { 5, "liver <left>" }, { 70000, "A & B" } };
+  const auto size = static_cast<std::int32_t>(xml.size() + 8);
+  EXPECT_EQ(ReadNifti(withExtension(size, xml)).LabelNames, expected);
+  // Sizes that cannot be, other extensions, and none.
+  for (const std::int32_t wrong : { 0, -16, 7, size + 1, std::numeric_limits<std::int32_t>::max() })
+  {
+    EXPECT_TRUE(ReadNifti(withExtension(wrong, xml)).LabelNames.empty()) << wrong;
+  }
+  EXPECT_TRUE(ReadNifti(withExtension(16, "dicom...")).LabelNames.empty());
+  EXPECT_TRUE(ReadNifti(bytes).LabelNames.empty());
+}

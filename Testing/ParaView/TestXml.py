@@ -23,7 +23,7 @@ PROXIES = [proxy for group in groups() for proxy in group if not group.get("name
 STAGES, BASES = ({base.get("name"): base for group in groups() for base in group if group.get("name") == name}
                  for name in ("flipfree_stages", "flipfree_bases"))
 # Lists that a filter is told of one by one.
-LISTS = {"Points": "AddPoint"}
+LISTS = {"Points": "AddPoint", "Labels": "AddLabel"}
 
 
 def elements(proxy):

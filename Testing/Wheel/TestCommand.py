@@ -45,7 +45,7 @@ class Options(unittest.TestCase):
                          json.loads(run("--generate", "json", program=TOOLKIT).stdout))
 
     def test_help_is_the_toolkits(self):
-        for name in ("segment", "trace", "evaluate", "series", "phantom"):
+        for name in ("segment", "trace", "surfaces", "evaluate", "series", "phantom"):
             ours, theirs = (re.sub(" +\n", "\n", run(name, "--help", program=program).stdout)
                             for program in (OURS, TOOLKIT))
             self.assertEqual(ours, theirs)
@@ -117,6 +117,31 @@ class Work(unittest.TestCase):
                 self.assertEqual(process.returncode, status, process.stderr)
                 self.assertRegex(process.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\.\n\Z")
         self.assertFalse((self.folder / "bad.stl").exists())
+
+    def test_surfaces_of_labels(self):
+        """All labels of a label map, under the names of a table."""
+        run("phantom", "abdomen", "-o", self.folder, "--size", 40, 32, 24, "--spacing", 8, 8, 10)
+        names = self.folder / "names.csv"
+        names.write_text('label,name\n6,liver\n2,"right kidney"\n9;vena\n', encoding="utf-8")
+        made = {}
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            folder = self.folder / f"surfaces-{name}"
+            process = run("surfaces", self.folder / "abdomen-truth.nii.gz", "-o", folder, "--names", names, "--format", "ply",
+                          "--label", 6, "--label", 2, "--label", 9, "--distance", 0.8, program=program)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            self.assertEqual(sorted(path.name for path in folder.iterdir()),
+                             ["2-right_kidney.ply", "6-liver.ply", "9-vena.ply", "surfaces.csv"])
+            rows = list(csv.DictReader((folder / "surfaces.csv").read_text(encoding="utf-8").splitlines()))
+            numbers = [[float(f"{float(value):.5g}") for key, value in row.items() if key not in ("Name", "File")] for row in rows]
+            made[name] = (process.stdout, list(rows[0]), [row["Name"] for row in rows], numbers,
+                          [vertices_of(folder / row["File"]).tolist() for row in rows])
+        self.assertEqual(made["ours"], made["theirs"])
+        for arguments in (("--exact", "--distance", 0.7), ("--distance", 3), ("--label", 77), ("--names", "nowhere.csv")):
+            said = [run("surfaces", self.folder / "abdomen-truth.nii.gz", "-o", self.folder, *arguments, program=program)
+                    for program in (OURS, TOOLKIT)]
+            self.assertEqual(*(process.returncode for process in said))
+            for process in said:
+                self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]+\n\Z")
 
     def test_session(self):
         """What the page in the browser saves, repeated by both commands."""

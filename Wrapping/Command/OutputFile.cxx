@@ -89,6 +89,18 @@ void RequireEnding(const std::string& option, const std::string& name,
   }
 }
 
+void MakeFolder(const std::string& folder)
+{
+  std::error_code failure;
+  fs::create_directory(folder, failure);
+  if (!fs::is_directory(folder))
+  {
+    throw Failure("The folder '" + folder + "' cannot be created (" +
+      (failure ? failure.message() : "a file of that name exists") +
+      "). Check the name and the permissions of its parent folder.");
+  }
+}
+
 void OutputFiles::Announce(const std::string& option, const std::string& name,
   const std::vector<std::string>& inputs)
 {

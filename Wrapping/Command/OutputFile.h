@@ -24,6 +24,9 @@ bool HasEnding(const std::string& name, const std::vector<std::string>& endings)
 void RequireEnding(const std::string& option, const std::string& name,
   const std::vector<std::string>& endings);
 
+/// Makes the folder unless it is there; its parent must be. Throws Failure.
+void MakeFolder(const std::string& folder);
+
 class OutputFiles
 {
 public:

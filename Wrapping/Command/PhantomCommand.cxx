@@ -113,18 +113,6 @@ void PrintSeeds(vtkPhantomSource* source)
   std::fflush(stdout);
 }
 
-void MakeFolder(const std::string& folder)
-{
-  std::error_code failure;
-  std::filesystem::create_directory(folder, failure);
-  if (!std::filesystem::is_directory(folder))
-  {
-    throw Failure("The folder '" + folder + "' cannot be created (" +
-      (failure ? failure.message() : "a file of that name exists") +
-      "). Check the name and the permissions of its parent folder.");
-  }
-}
-
 /// Checks values of an option, one by one.
 std::function<std::string(const std::string&)> MustBePositive(const char* values)
 {

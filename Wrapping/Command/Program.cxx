@@ -104,6 +104,7 @@ int RunCommand(int argc, char* argv[])
     program.require_subcommand(1);
     AddSegmentCommand(program);
     AddTraceCommand(program);
+    AddSurfacesCommand(program);
     AddEvaluateCommand(program);
     AddSeriesCommand(program);
     AddPhantomCommand(program);

@@ -14,6 +14,7 @@ namespace Command
 
 void AddSegmentCommand(CLI::App& program);
 void AddTraceCommand(CLI::App& program);
+void AddSurfacesCommand(CLI::App& program);
 void AddEvaluateCommand(CLI::App& program);
 void AddSeriesCommand(CLI::App& program);
 void AddPhantomCommand(CLI::App& program);

@@ -19,6 +19,7 @@ set(FLIPFREE_LAYER_FILES
   _segment.py
   _segment_organs.py
   _series.py
+  _surfaces.py
   _trace.py
   _types.py
   _voxels.py

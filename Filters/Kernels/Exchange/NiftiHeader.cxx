@@ -2,6 +2,7 @@
 
 #include "Exchange/HeaderField.h"
 #include "Exchange/NiftiFields.h"
+#include "Exchange/NiftiLabelTable.h"
 #include "Exchange/NiftiOrientation.h"
 #include "MessageText.h"
 
@@ -165,6 +166,11 @@ VolumeFileHeader ReadNiftiHeader(const std::string& name, const std::string& sta
   if (fields.IsPair())
   {
     header.Storage.Files = { VoxelsOfPair(name) };
+  }
+  else
+  {
+    header.LabelNames = NiftiLabelNames(start, static_cast<std::size_t>(fields.GetVersion()),
+      header.Storage.Offset, fields.IsBigEndian());
   }
   return header;
 }

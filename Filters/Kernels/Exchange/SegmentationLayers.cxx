@@ -156,6 +156,16 @@ std::vector<Segment> SegmentsOf(const std::map<std::string, std::string>& pairs,
   return segments;
 }
 
+std::vector<Segment> SegmentsOf(const VolumeFileHeader& header)
+{
+  std::vector<Segment> segments = SegmentsOf(header.Pairs, header.Name);
+  for (const auto& [label, name] : header.LabelNames)
+  {
+    segments.push_back({ name, "", label, 0 });
+  }
+  return segments;
+}
+
 LabelChoice ChooseLabel(const std::vector<Segment>& segments, int numberOfLayers,
   const std::string& choice, const std::string& file)
 {

@@ -31,6 +31,9 @@ struct Segment
 std::vector<Segment> SegmentsOf(const std::map<std::string, std::string>& pairs,
   const std::string& file);
 
+/// The same of a file: by these pairs, or by the label table of a NIfTI file.
+std::vector<Segment> SegmentsOf(const VolumeFileHeader& header);
+
 /// What to take from a file of label maps.
 struct LabelChoice
 {

@@ -71,6 +71,7 @@ struct VolumeFileHeader
   double Intercept = 0;
   std::vector<std::string> Warnings;        ///< whole sentences that name the file
   std::map<std::string, std::string> Pairs; ///< the user's own fields in NRRD, in UTF-8
+  std::map<int, std::string> LabelNames;    ///< by a label table in NIfTI
 
   bool IsScaled() const { return this->Slope != 1 || this->Intercept != 0; }
   /// Of the values: that of the stored voxels, or of numbers with fractions where they are scaled.

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyDa
 
 from . import _pickles as _pickles  # of what results hold
 from ._corrections import SEED, Constraint
-from ._errors import EvaluationError, SegmentationError
+from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._parameters import names_of, snake_case
 from ._properties import Property, properties_of
 from ._segmentation import Segmentation, Vessel
@@ -17,6 +17,7 @@ from ._update import update
 from .FlipFreeEvaluation import vtkSegmentationMetrics
 from .FlipFreePhantoms import vtkPhantomSource
 from .FlipFreeSegmentation import (
+    vtkFlipFreeLabelSurfaces,
     vtkFlipFreeOrganGroup,
     vtkFlipFreeSegmentation,
     vtkFlipFreeVesselSegmentation,
@@ -25,6 +26,18 @@ from .FlipFreeSegmentation import (
 if TYPE_CHECKING:
     from ._images import AnySurface
 
+# The columns of the table of surfaces, by the fields of LabelMeasures.
+SURFACE_COLUMNS = {
+    "label": "Label",
+    "name": "Name",
+    "volume": "Milliliters",
+    "voxels": "Voxels",
+    "voxel_volume": "VoxelMilliliters",
+    "wrong_voxels": "WrongVoxels",
+    "area": "Area",
+    "euler_number": "EulerNumber",
+    "triangles": "Triangles",
+}
 # By the kind of a constraint.
 ADDING = ("AddOutsidePoint", "AddInsidePoint", "AddBoundaryPoint", "AddSeed")
 
@@ -53,6 +66,7 @@ GROUP_PARAMETERS = {
 }
 TRACE_PARAMETERS = properties_of(vtkFlipFreeVesselSegmentation())
 EVALUATE_PARAMETERS = properties_of(vtkSegmentationMetrics())
+SURFACES_PARAMETERS = properties_of(vtkFlipFreeLabelSurfaces())
 # The shape is an argument of its own.
 PHANTOM_PARAMETERS = properties_of(vtkPhantomSource(), without=("shape", "generate_surface"))
 
@@ -199,6 +213,37 @@ class Metrics:
         return {snake_case(row.GetColumnName(i)): _value(row, i) for i in columns}
 
 
+class SurfacesAlgorithm:
+    """The surfaces of one label map."""
+
+    def __init__(self) -> None:
+        self.settings = vtkFlipFreeLabelSurfaces()
+
+    def run(self, labels: vtkImageData, only: list[int], tell: Progress | None) -> dict[str, Any]:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        filter_ = self.settings
+        filter_.RemoveAllLabels()
+        for label in only:
+            filter_.AddLabel(label)
+        filter_.SetInputData(labels)
+        names = {**names_of(SURFACES_PARAMETERS), "Labels": "only"}
+        update(filter_, FlipFreeError, tell, names=names)
+        walls, table = filter_.GetOutput(), filter_.GetTable()
+        corners = vtk_to_numpy(walls.GetPolys().GetConnectivityArray())
+        return {
+            "points": vtk_to_numpy(walls.GetPoints().GetData()).astype("float64"),
+            "triangles": corners.reshape(-1, 3).astype("int32"),
+            "boundary_labels": vtk_to_numpy(walls.GetCellData().GetArray("BoundaryLabels")),
+            "wrong_voxels": int(filter_.GetNumberOfWrongVoxels()),
+            "greatest_distance": filter_.GetGreatestDistance(),
+            "rows": [
+                {name: _cell(table, row, column) for name, column in SURFACE_COLUMNS.items()}
+                for row in range(table.GetNumberOfRows())
+            ],
+        }
+
+
 class PhantomAlgorithm:
     """One phantom."""
 
@@ -254,6 +299,14 @@ def _detached(output: Any) -> Any:
     copy = output.NewInstance()
     copy.ShallowCopy(output)
     return copy
+
+
+def _cell(table: Any, row: int, column: str) -> Any:
+    """A number or a text; whole numbers are such."""
+    value = table.GetValueByName(row, column)
+    if not value.IsNumeric():
+        return value.ToString()
+    return value.ToDouble() if value.IsDouble() else value.ToTypeInt64()
 
 
 def _value(row: vtkDataObject, column: int) -> Any:

@@ -1,9 +1,13 @@
-// Label maps: where their grids lie, and which label of a file is meant.
+// Label maps: where their grids lie, which label of a file is meant, and the surfaces of all.
 #include "Bindings.h"
 #include "Numpy.h"
+#include "Report.h"
+#include "ThreadPool.h"
 
 #include "Exchange/SegmentationLayers.h"
+#include "Image/GridCheck.h"
 #include "Image/LatticePlacement.h"
+#include "LabelSurface/LabelSurfaceParameters.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
@@ -34,12 +38,87 @@ bool AreSamePlaces(const GridRow& one, const GridRow& other)
   return HaveSamePlaces(GridOf(one), GridOf(other));
 }
 
-// The layer, and the value of the label if one was chosen.
-std::pair<int, std::optional<int>> ChooseLabelOf(const std::map<std::string, std::string>& pairs,
-  int numberOfLayers, const std::string& choice, const std::string& file)
+// The layer of a file, and the value of the label if one was chosen.
+std::pair<int, std::optional<int>> ChooseLabelOf(const VolumeFileHeader& header,
+  const std::string& choice)
 {
-  const LabelChoice chosen = ChooseLabel(SegmentsOf(pairs, file), numberOfLayers, choice, file);
+  const LabelChoice chosen =
+    ChooseLabel(SegmentsOf(header), header.Layers.Count, choice, header.Name);
   return { chosen.Layer, chosen.Label };
+}
+
+// The value of a label of a DICOM series, whose labels have no names.
+std::optional<int> ChooseValueOf(const std::string& choice, const std::string& name)
+{
+  return ChooseLabel({}, 1, choice, name).Label;
+}
+
+std::map<int, std::string> LabelNamesOf(const VolumeFileHeader& header, int layer)
+{
+  std::map<int, std::string> names;
+  for (const Segment& segment : SegmentsOf(header))
+  {
+    if (segment.Layer == layer)
+    {
+      names.emplace(segment.Label, segment.Name);
+    }
+  }
+  return names;
+}
+
+nb::list RowsOf(const std::vector<LabelMeasures>& all)
+{
+  nb::list rows;
+  for (const LabelMeasures& measures : all)
+  {
+    nb::dict row;
+    row["label"] = measures.Label;
+    row["volume"] = measures.Volume / 1000;
+    row["voxels"] = measures.Voxels;
+    row["voxel_volume"] = measures.VoxelVolume / 1000;
+    row["wrong_voxels"] = measures.WrongVoxels;
+    row["area"] = measures.Area;
+    row["euler_number"] = measures.EulerNumber;
+    row["triangles"] = measures.Triangles;
+    rows.append(row);
+  }
+  return rows;
+}
+
+nb::dict MakeSurfaces(const Voxels& voxels, const Triple& spacing, const Triple& origin,
+  const Nine& direction, const std::vector<int>& wanted, const LabelSurfaceSettings& settings,
+  const nb::callable& report)
+{
+  LabelSurfaces surfaces;
+  {
+    const nb::gil_scoped_release unlocked;
+    const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
+    const std::string name = "the label map";
+    RequireVoxels(geometry, name);
+    surfaces = VisitVoxels(voxels, geometry,
+      [&](const auto& view)
+      {
+        return MakeLabelSurfaces(MakeLabelGrid(view, wanted, name, PoolFor), geometry, settings,
+          PoolFor, MonitorOf(report));
+      });
+  }
+  const auto rows = [](const auto& matrix) { return static_cast<std::size_t>(matrix.rows()); };
+  std::vector<int> labels;
+  for (const auto& pair : surfaces.Walls.Labels)
+  {
+    labels.push_back(surfaces.Values[pair[0]]);
+    labels.push_back(surfaces.Values[pair[1]]);
+  }
+  nb::dict answer;
+  const std::size_t triangles = rows(surfaces.Walls.Triangles);
+  answer["boundary_labels"] = ArrayOf<int>(std::move(labels), { triangles, 2 });
+  answer["triangles"] = ArrayOf<int>(std::move(surfaces.Walls.Triangles), { triangles, 3 });
+  const std::size_t points = rows(surfaces.Walls.Points);
+  answer["points"] = ArrayOf<double>(std::move(surfaces.Walls.Points), { points, 3 });
+  answer["wrong_voxels"] = surfaces.WrongVoxels;
+  answer["greatest_distance"] = surfaces.GreatestDistance;
+  answer["rows"] = RowsOf(surfaces.Measures);
+  return answer;
 }
 
 } // namespace
@@ -47,7 +126,12 @@ std::pair<int, std::optional<int>> ChooseLabelOf(const std::map<std::string, std
 void BindLabels(nb::module_& module)
 {
   module.def("choose_label", &ChooseLabelOf);
+  module.def("choose_value", &ChooseValueOf);
+  module.def("label_names", &LabelNamesOf);
   module.def("have_same_places", &AreSamePlaces);
+  BindSettings<LabelSurfaceSettings>(module, "LabelSurfaceSettings", &LabelSurfaceParameters)
+    .def(nb::init<>());
+  module.def("make_surfaces", &MakeSurfaces);
 }
 
 } // namespace FlipFree

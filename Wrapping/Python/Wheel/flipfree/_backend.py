@@ -48,6 +48,7 @@ EVALUATE_PARAMETERS = settings_of(_kernels.ScoreSettings, ("vtkSegmentationMetri
 SCORE_COLUMNS: dict[str, tuple[str, str]] = {
     snake_case(name): (name, unit) for name, unit in _kernels.score_columns()
 }
+SURFACES_PARAMETERS = settings_of(_kernels.LabelSurfaceSettings, ("vtkFlipFreeLabelSurfaces",))
 # The shape is an argument of its own.
 PHANTOM_PARAMETERS = settings_of(
     _kernels.PhantomSettings, ("vtkPhantomSource",), without=("Shape",)
@@ -273,6 +274,25 @@ def validity_summary(surface: Surface) -> str:
             {},
         )
     )
+
+
+class SurfacesAlgorithm:
+    """The surfaces of one label map."""
+
+    def __init__(self) -> None:
+        self.settings = _kernels.LabelSurfaceSettings()
+
+    def run(self, labels: Image, only: list[int], tell: Progress | None) -> dict[str, Any]:
+        answer: dict[str, Any] = run(
+            lambda report: _kernels.make_surfaces(*_volume_of(labels), only, self.settings, report),
+            FlipFreeError,
+            "No surfaces of labels: {}.",
+            {**names_of(SURFACES_PARAMETERS), "Labels": "only"},
+            tell,
+        )
+        for row in answer["rows"]:
+            row["name"] = labels.names.get(row["label"], "")
+        return answer
 
 
 class PhantomAlgorithm:

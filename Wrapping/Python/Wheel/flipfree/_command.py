@@ -1,4 +1,5 @@
-"""The command `flipfree` of the package that pip installs: segment, trace, evaluate, series, phantom, cohort."""
+"""The command `flipfree` of the package that pip installs: segment, trace, surfaces, evaluate, series, phantom,
+cohort."""
 
 from __future__ import annotations
 
@@ -10,12 +11,16 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from . import _commands
-from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS
+from ._backend import SEGMENT_PARAMETERS, SURFACES_PARAMETERS, TRACE_PARAMETERS
 from ._errors import FlipFreeError, FlipFreeWarning
 from ._messages import spelling
 from ._options import Entry, WrongUsage, destination, help_of, parser_of, table
 
-PARAMETERS = {"segment": SEGMENT_PARAMETERS, "trace": TRACE_PARAMETERS}
+PARAMETERS = {
+    "segment": SEGMENT_PARAMETERS,
+    "surfaces": SURFACES_PARAMETERS,
+    "trace": TRACE_PARAMETERS,
+}
 SUCCESS, FAILURE, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 
 

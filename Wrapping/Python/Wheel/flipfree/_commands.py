@@ -5,4 +5,5 @@ from ._command_evaluate import evaluate as evaluate
 from ._command_phantom import phantom as phantom
 from ._command_segment import segment as segment
 from ._command_series import series as series
+from ._command_surfaces import surfaces as surfaces
 from ._command_trace import trace as trace

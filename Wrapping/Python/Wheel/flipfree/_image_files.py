@@ -41,7 +41,7 @@ def read_labels(name: str, label: str) -> tuple[Image, int | None]:
         return read_volume(name, None, label)
     image = read(name, None, None)  # a series, or why there is nothing
     try:
-        return image, _kernels.choose_label({}, 1, label, name)[1]
+        return image, _kernels.choose_value(label, name)
     except _kernels.FileProblem as problem:
         raise FileError(str(problem)) from None
 

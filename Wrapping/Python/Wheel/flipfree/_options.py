@@ -20,7 +20,7 @@ Entry = Mapping[str, Any]
 COLUMN = 30
 # Of values that are not the keywords of a function.
 INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
-TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE"}
+TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE", "FORMAT"}
 
 COHORT: Entry = {
     "name": "cohort",

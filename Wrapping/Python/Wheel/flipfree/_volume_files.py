@@ -9,6 +9,7 @@ import gzip
 import math
 import os
 import stat
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
@@ -39,7 +40,8 @@ def read_volume(name: str, tell: Progress | None, label: str = "") -> tuple[Imag
         header = _open(name)
         for warning in header.warnings:
             warn(warning)
-        layer, value = _kernels.choose_label(header.pairs, header.layers, label, header.name)
+        layer, value = _kernels.choose_label(header, label)
+        names = _kernels.label_names(header, layer)
         voxels = _voxels_of(header, tell)
         if header.layers > 1:
             axis = 1 if header.are_interleaved else 0
@@ -54,7 +56,7 @@ def read_volume(name: str, tell: Progress | None, label: str = "") -> tuple[Imag
     image = image_from_array(
         voxels.reshape(header.size[::-1]), header.spacing, header.origin, header.direction
     )
-    return image, value
+    return (replace(image, names=names) if names else image), value
 
 
 def write_nifti(image: Image, name: str) -> None:

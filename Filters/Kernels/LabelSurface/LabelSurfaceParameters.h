@@ -1,0 +1,30 @@
+/**
+ * The parameters of surfaces of labels that users set, by name: where each stands in the settings,
+ * and its range; see SegmentationParameters.h. S is the expression before the fields of
+ * LabelSurfaceSettings.
+ */
+#ifndef FlipFreeLabelSurfaceParameters_h
+#define FlipFreeLabelSurfaceParameters_h
+
+#include "LabelSurface/LabelSurfaces.h"
+#include "ParameterTable.h"
+
+// Fields cannot be put in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+
+#define FLIPFREE_LABEL_SURFACE_PARAMETERS(P, S)                                                    \
+  P(Exact, bool, S Exact, false, true)                                                             \
+  P(Distance, double, S Distance, FlipFree::MinimumWallDistance, FlipFree::MaximumWallDistance)    \
+  P(Iterations, int, S Iterations, 0, FlipFree::MaximumWallIterations)
+
+// NOLINTEND(bugprone-macro-parentheses)
+
+namespace FlipFree
+{
+
+/// All of them.
+const ParameterTable<LabelSurfaceSettings>& LabelSurfaceParameters();
+
+} // namespace FlipFree
+
+#endif

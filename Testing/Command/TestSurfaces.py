@@ -1,0 +1,135 @@
+"""Surfaces of all labels of a label map: files of every format, names from everywhere, and one clear error each."""
+
+import csv
+import gzip
+import os
+import struct
+import unittest
+
+import command
+import labelmaps
+
+SIZE = (20, 18, 12)
+SPACING = (1, 1, 2)
+
+
+def three_labels():
+    """Two boxes that share a wall, and a third one that touches the image's border."""
+    voxels = bytearray(SIZE[0] * SIZE[1] * SIZE[2])
+    for k in range(SIZE[2]):
+        for j in range(SIZE[1]):
+            for i in range(SIZE[0]):
+                label = 3 if j > 13 and k > 8 else 0
+                if 2 < i < 16 and 2 < j < 11 and 1 < k < 8:
+                    label = 1 if i < 9 else 2
+                voxels[i + SIZE[0] * (j + SIZE[1] * k)] = label
+    return voxels
+
+
+def write_nifti(path, voxels, names=None):
+    """With a label table, as TotalSegmentator writes it."""
+    extension = b""
+    if names:
+        labels = "".join(f'<Label Key="{label}" Red="1" Green="0" Blue="0" Alpha="1"><![CDATA[{name}]]></Label>\n'
+                         for label, name in names.items())
+        xml = f"<CaretExtension><VolumeInformation><LabelTable>{labels}</LabelTable></VolumeInformation></CaretExtension>"
+        size = -(-(len(xml) + 8) // 16) * 16
+        extension = struct.pack("<ii", size, 0) + xml.encode().ljust(size - 8, b"\0")
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *SIZE, 1, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, 2, 8)
+    struct.pack_into("<8f", header, 76, 1, *SPACING, 1, 1, 1, 1)
+    struct.pack_into("<f", header, 108, 352 + len(extension))
+    header[123] = 2
+    struct.pack_into("<2h", header, 252, 0, 1)
+    struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0)
+    header[344:348] = b"n+1\0"
+    header[348] = 1 if extension else 0
+    with gzip.open(path, "wb") as file:
+        file.write(bytes(header) + extension + bytes(voxels))
+
+
+class TestSurfaces(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.labels = os.path.join(self.inputs, "labels.nii.gz")
+        write_nifti(self.labels, three_labels())
+        self.folder = self.result("surfaces")
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+    def table(self):
+        with open(os.path.join(self.folder, "surfaces.csv"), encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_every_format_holds_valid_surfaces_of_the_same_voxels(self):
+        for form in ("stl", "ply", "obj", "vtp"):
+            with self.subTest(form):
+                process = command.run("surfaces", self.labels, "-o", self.folder, "--exact", "--format", form)
+                self.assert_succeeds(process)
+                self.assertIn("0 voxels on the wrong side", process.stdout)
+                for row in self.table():
+                    self.assertEqual(row["File"], f"{row['Label']}.{form}")
+                    self.assertEqual(row["WrongVoxels"], "0")
+                    self.assertEqual(row["EulerNumber"], "2")
+                    self.assertAlmostEqual(float(row["Milliliters"]), float(row["VoxelMilliliters"]), 2)
+                    scores = command.run("evaluate", os.path.join(self.folder, row["File"]), self.labels,
+                                         "--reference-label", row["Label"], "--voxelize")
+                    self.assert_succeeds(scores)
+                    self.assertEqual(command.dice_of(scores.stdout), 1)
+                    self.assertRegex(scores.stdout, r"surface +valid: closed, .* self-intersections 0")
+        self.assertEqual(len(self.files()), 13)
+
+    def test_smooth_surfaces_say_what_they_leave(self):
+        process = command.run("surfaces", self.labels, "-o", self.folder, "--distance", 1, "--iterations", 80)
+        self.assert_succeeds(process)
+        self.assertRegex(process.stdout, r"\n\d+ voxels on the wrong side, [\d.]+ mm at most")
+
+    def test_names_come_from_nifti(self):
+        write_nifti(self.labels, three_labels(), {1: "left kidney", 3: "liver & more"})
+        self.assert_succeeds(command.run("surfaces", self.labels, "-o", self.folder, "-q"))
+        self.assertEqual(self.files(), ["1-left_kidney.stl", "2.stl", "3-liver___more.stl", "surfaces.csv"])
+        self.assertEqual([row["Name"] for row in self.table()], ["left kidney", "", "liver & more"])
+
+    def test_names_come_from_slicer(self):
+        segmentation = os.path.join(self.inputs, "labels.seg.nrrd")
+        labelmaps.write_layers(segmentation, SIZE, SPACING, [({2: "spleen"}, three_labels())])
+        self.assert_succeeds(command.run("surfaces", segmentation, "-o", self.folder, "-q"))
+        self.assertEqual(self.files(), ["1.stl", "2-spleen.stl", "3.stl", "surfaces.csv"])
+
+    def test_names_come_from_a_table(self):
+        names = os.path.join(self.inputs, "names.csv")
+        with open(names, "w", encoding="utf-8") as file:
+            file.write('label,name\n1,liver\n3;"left kidney"\n2\tspleen\n')
+        write_nifti(self.labels, three_labels(), {1: "other"})
+        self.assert_succeeds(command.run("surfaces", self.labels, "-o", self.folder, "-q", "--names", names, "--label", 3,
+                                         "--label", 1))
+        self.assertEqual(self.files(), ["1-liver.stl", "3-left_kidney.stl", "surfaces.csv"])
+        with open(names, "w", encoding="utf-8") as file:
+            file.write("nothing\n")
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--names", names),
+                          "names.csv' names no labels. Give lines such as '5,liver'.")
+
+    def assert_fails(self, process, *words):
+        self.assertIn(process.returncode, (1, 2), process.stderr)
+        self.assertEqual(process.stderr.count("\n"), 1, process.stderr)
+        for word in words:
+            self.assertIn(word, process.stderr)
+
+    def test_what_is_wrong_is_said(self):
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--label", 9),
+                          "the label map has no voxel with label 9; change --label")
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--exact", "--distance", 0.7), "--distance")
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--distance", 2), "--distance")
+        self.assert_fails(command.run("surfaces", self.labels), "--output")
+        self.assert_fails(command.run("surfaces", self.labels + "x", "-o", self.folder), "labels.nii.gzx")
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.labels), "cannot be created")
+        write_nifti(self.labels, bytes(len(three_labels())))
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder), "has no labels")
+        self.assertEqual(self.files(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,117 @@
+"""`flipfree surfaces`."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import os
+import re
+from dataclasses import replace
+from typing import Any
+
+from ._atomic import make_folder, write_table
+from ._backend import set_threads
+from ._command_inputs import wants_bar
+from ._command_outputs import require_place, write_to
+from ._errors import FileError
+from ._image_files import read_labels
+from ._options import WrongUsage
+from ._segmentation import Surface
+from ._surface_files import write_surface
+from ._surfaces import LabelSurfaces
+from ._surfaces import surfaces as make_surfaces
+from ._unreadable import unreadable
+
+# The columns of the table, and the fields of LabelMeasures in them.
+COLUMNS = {
+    "Label": "label",
+    "Name": "name",
+    "Milliliters": "volume",
+    "Voxels": "voxels",
+    "VoxelMilliliters": "voxel_volume",
+    "WrongVoxels": "wrong_voxels",
+    "Area": "area",
+    "EulerNumber": "euler_number",
+    "Triangles": "triangles",
+}
+
+
+def surfaces(values: dict[str, Any]) -> None:
+    """`flipfree surfaces`."""
+    if "exact" in values and "distance" in values:
+        raise WrongUsage("--exact excludes --distance")
+    set_threads(values.get("threads", 0))
+    folder = values["output"]
+    make_folder(folder)
+    table = os.path.join(folder, "surfaces.csv")
+    require_place(table, [values["labels"]])
+    image, _ = read_labels(values["labels"], "")
+    if "names" in values:
+        image = replace(image, names=_names_in(values["names"]))
+    names = ("exact", "distance", "iterations")
+    parameters = {name: values[name] for name in names if name in values}
+    found = make_surfaces(image, values.get("label", ()), progress=wants_bar(values), **parameters)
+    files = {label: _file_of(found, label, values.get("format", "stl")) for label in found.labels}
+    with contextlib.ExitStack() as written:
+        for label, file in files.items():
+            path = os.path.join(folder, file)
+            require_place(path, [values["labels"], values.get("names", values["labels"])])
+            surface = _surface_of(found, label)
+            write_to(written, path, lambda name, mesh=surface: write_surface(mesh, name))  # type: ignore[misc]
+    rows = [
+        [*(getattr(found.labels[label], field) for field in COLUMNS.values()), file]
+        for label, file in files.items()
+    ]
+    write_table(table, [*COLUMNS, "File"], rows)
+    if "quiet" not in values:
+        _print(found)
+
+
+def _surface_of(found: LabelSurfaces, label: int) -> Surface:
+    import numpy
+
+    points, triangles = found.surface(label)
+    return Surface(
+        points=points,
+        corners=triangles.ravel(),
+        offsets=numpy.arange(0, triangles.size + 1, 3, dtype=numpy.int32),
+        displacements=numpy.zeros(points.shape),
+        correspondence=numpy.zeros(len(points), numpy.uint8),
+        certified=True,
+    )
+
+
+def _file_of(found: LabelSurfaces, label: int, ending: str) -> str:
+    name = re.sub(r"[^\w.-]", "_", found.labels[label].name)
+    return f"{label}-{name}.{ending}" if name else f"{label}.{ending}"
+
+
+def _names_in(path: str) -> dict[int, str]:
+    """Of a table: lines such as '5,liver'; others do not count."""
+    names: dict[int, str] = {}
+    try:
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+    except OSError as error:
+        raise unreadable(path) from error
+    for line in lines:
+        found = re.fullmatch(r'\s*"?(\d+)\s*[,;\s]\s*(.*?)\s*', line)
+        name = next(csv.reader(io.StringIO(found[2])), [""])[0] if found else ""
+        if found and name:
+            names[int(found[1])] = name
+    if not names:
+        raise FileError(f"'{path}' names no labels. Give lines such as '5,liver'.")
+    return names
+
+
+def _print(found: LabelSurfaces) -> None:
+    heading = ("Label", "Name", "Milliliters", "Euler", "Triangles", "Wrong voxels")
+    print("{:>10}  {:<24}  {:>11}  {:>6}  {:>9}  {:>12}".format(*heading))
+    for one in found.labels.values():
+        counts = f"{one.euler_number:6d}  {one.triangles:9d}  {one.wrong_voxels:12d}"
+        print(f"{one.label:10d}  {one.name:<24}  {one.volume:11.3f}  {counts}")
+    print(
+        f"{found.wrong_voxels} voxels on the wrong side, {found.greatest_distance:.2f} mm at most "
+        "from where voxels meet"
+    )
