@@ -137,6 +137,8 @@ TEST(SegmentationWarnings, QuestionsThatHardlyMatterAreNone)
   const DoubtfulPart small{ { 50, 40, 40 }, 4000, true, 0.1 };
   const DoubtfulPart doubtful{ { 10, 40, 40 }, 5000, true, 0.1 };
   EXPECT_TRUE(WarningOfDoubt(0.9, {}, volume, settings).empty());
+  EXPECT_EQ(WarningOfDoubt(0.8, { sure, small }, volume, settings),
+    WarningOfDoubt(0.8, {}, volume, settings));
   EXPECT_TRUE(WarningOfDoubt(0.9, { sure, small }, volume, settings).empty());
   EXPECT_EQ(WarningOfDoubt(0.9, { sure, small, doubtful }, volume, settings),
     WarningOfDoubt(0.9, { doubtful }, volume, settings));

@@ -179,22 +179,21 @@ std::vector<std::string> WarningsOfFilling(const BitMask& labels,
 std::string WarningOfDoubt(double confidence, const std::vector<DoubtfulPart>& questions,
   double volume, const OrganSegmentationSettings& settings)
 {
-  if (settings.Feature.Carving && confidence < DoubtfulConfidence)
-  {
-    char number[16];
-    std::snprintf(number, sizeof(number), "%.2f", std::floor(100 * confidence) / 100);
-    const std::string text = "The result is doubtful: its confidence is " + std::string(number) +
-      ", below " + TextOf(DoubtfulConfidence);
-    return text +
-      (questions.empty()
-          ? "; look at the contour where its confidence is low, and correct it there by points "
-            "inside or outside the organ."
-          : ". " + AskAbout(questions.front()));
-  }
   const auto doubtful = std::find_if(questions.begin(), questions.end(),
     [volume](const DoubtfulPart& part)
     { return part.Margin < DoubtfulMargin && part.Volume > DoubtfulVolume * volume; });
-  return doubtful == questions.end() ? std::string() : AskAbout(*doubtful);
+  const std::string question = doubtful == questions.end() ? std::string() : AskAbout(*doubtful);
+  if (!settings.Feature.Carving || confidence >= DoubtfulConfidence)
+  {
+    return question;
+  }
+  char number[16];
+  std::snprintf(number, sizeof(number), "%.2f", std::floor(100 * confidence) / 100);
+  return "The result is doubtful: its confidence is " + std::string(number) + ", below " +
+    TextOf(DoubtfulConfidence) +
+    (question.empty() ? "; look at the contour where its confidence is low, and correct it there "
+                        "by points inside or outside the organ."
+                      : ". " + question);
 }
 
 } // namespace FlipFree

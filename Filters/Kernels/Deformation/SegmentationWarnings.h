@@ -31,9 +31,9 @@ std::vector<std::string> WarningsOfFilling(const BitMask& labels,
   const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree);
 
 /// A message for a result that is doubtful, with its remedy: its confidence is low, or there is a
-/// question (PartQuestions.h) about a part that matters in an organ of this volume, in mm3. Its
-/// remedy is the first question, if there is any. Empty for any other result; without carving, the
-/// confidence's threshold does not hold.
+/// question (PartQuestions.h) whose margin is small and whose part matters in an organ of this
+/// volume, in mm3. The first such question is the remedy. Empty for any other result; without
+/// carving, the confidence's threshold does not hold.
 std::string WarningOfDoubt(double confidence, const std::vector<DoubtfulPart>& questions,
   double volume, const OrganSegmentationSettings& settings);
 

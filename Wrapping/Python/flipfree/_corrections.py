@@ -59,15 +59,20 @@ def constraints_of(
     return tuple(constraints)
 
 
-def answers_of(questions: Sequence[Question], answers: Mapping[int, bool]) -> tuple[Constraint, ...]:
+def answers_of(
+    questions: Sequence[Question], answers: Mapping[int, bool]
+) -> tuple[Constraint, ...]:
     """The points that answer questions; TypeError or ValueError names the answer that is wrong."""
     if not isinstance(answers, Mapping):
         raise TypeError(
-            f"answers: a dict is needed, such as {{0: True}} for the first question, not {answers!r:.80}"
+            "answers: a dict is needed, such as {0: True} for the first question, "
+            f"not {answers!r:.80}"
         )
     for number, answer in answers.items():
         if number not in range(len(questions)):
-            raise ValueError(f"answers: there is no question {number!r}; there are {len(questions)}")
+            raise ValueError(
+                f"answers: there is no question {number!r}; there are {len(questions)}"
+            )
         if answer not in (True, False):
             raise TypeError(
                 f"answers: question {number} is answered by True or False, not {answer!r:.80}"
@@ -130,10 +135,10 @@ class Correctable:
         return self._with(constraints_of(inside, outside, boundary, seeds), progress)
 
     def answered(self, answers: Mapping[int, bool], progress: ProgressOption = None) -> Self:
-        """The segmentation with answers to some of its questions, by their numbers, which count from 0.
+        """The segmentation with answers to some of its questions, by their numbers, from 0 on.
 
-        True, it is a part of the organ, is an inside point at the question's place, False an outside
-        point. What is answered is not asked again. This result stays as it is.
+        True, it is a part of the organ, is an inside point at the question's place, and False an
+        outside point. What is answered is not asked again. This result stays as it is.
 
         >>> import flipfree
         >>> abdomen = flipfree.phantom("abdomen").image

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,7 +41,7 @@ class Question:
         return [*self.place, self.volume, int(self.included), self.margin]
 
 
-def questions_of(columns: Mapping[str, Sequence[Any]]) -> tuple[Question, ...]:
+def questions_of(columns: Mapping[str, Iterable[Any]]) -> tuple[Question, ...]:
     """The rows of a table, given by its columns."""
     rows = zip(*(columns[name] for name in COLUMNS))
     return tuple(

@@ -85,9 +85,9 @@ class Segmentation(Faces, Correctable):
     """The points that the surface obeys, and further seeds."""
 
     questions: tuple[Question, ...] = ()
-    """Parts of which the segmentation is not sure, at most five, those first where an answer is worth most.
+    """Parts of which the segmentation is not sure, those first where an answer is worth most.
 
-    answered() answers them. A vessel has none.
+    There are at most five; answered() answers them. A vessel has none.
     """
 
     _again: Any = field(default=None, compare=False)

@@ -44,8 +44,9 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
     """Segments an organ around a seed sphere.
 
     Port 0 takes the image (one number per point), port 1, if wanted, a start surface. Outputs: the
-    surface (vtkPolyData), the label map (vtkImageData), the convergence and the questions (vtkTable).
-    Every parameter of flipfree.segment is a property: search_distance is SetSearchDistance and GetSearchDistance.
+    surface (vtkPolyData), the label map (vtkImageData), the convergence and the questions
+    (vtkTable). Every parameter of flipfree.segment is a property: search_distance is
+    SetSearchDistance and GetSearchDistance.
     Update() raises flipfree.SegmentationError if there is no segmentation.
     """
 
@@ -165,8 +166,9 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         labels.SetOrigin(data.GetOrigin())
         labels.SetExtent(data.GetExtent())
         _fill(vtkTable.GetData(outputs, 2), organ.iterations)
-        rows = numpy.array([question.row() for question in organ.questions]).reshape(-1, len(COLUMNS))
-        _fill(vtkTable.GetData(outputs, 3), dict(zip(COLUMNS, rows.T)))
+        rows = [question.row() for question in organ.questions]
+        columns = numpy.array(rows, float).reshape(-1, len(COLUMNS)).T
+        _fill(vtkTable.GetData(outputs, 3), dict(zip(COLUMNS, columns)))
         return 1
 
     def _run(self, data: vtkImageData, start: vtkPolyData | None) -> Segmentation:
