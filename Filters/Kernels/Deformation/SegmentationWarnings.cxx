@@ -182,7 +182,7 @@ std::string WarningOfDoubt(double confidence, const std::vector<DoubtfulPart>& q
   const auto doubtful = std::find_if(questions.begin(), questions.end(),
     [volume](const DoubtfulPart& part)
     { return part.Margin < DoubtfulMargin && part.Volume > DoubtfulVolume * volume; });
-  const std::string question = doubtful == questions.end() ? std::string() : AskAbout(*doubtful);
+  std::string question = doubtful == questions.end() ? std::string() : AskAbout(*doubtful);
   if (!settings.Feature.Carving || confidence >= DoubtfulConfidence)
   {
     return question;
