@@ -4,6 +4,8 @@
 #ifndef FlipFreeTableAdapter_h
 #define FlipFreeTableAdapter_h
 
+#include "TableColumn.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -11,6 +13,7 @@
 #include "vtkTable.h"
 
 #include <string>
+#include <vector>
 
 namespace FlipFree
 {
@@ -22,6 +25,38 @@ void AddColumnOf(vtkTable* table, const char* name, const T& value)
   column->SetName(name);
   column->InsertNextValue(value);
   table->AddColumn(column);
+}
+
+template <typename ArrayType, typename Record>
+void AddColumnOf(vtkTable* table, const TableColumn<Record>& from,
+  const std::vector<Record>& records)
+{
+  vtkNew<ArrayType> column;
+  column->SetName(from.Name);
+  column->Allocate(static_cast<vtkIdType>(records.size()));
+  for (const Record& record : records)
+  {
+    column->InsertNextValue(static_cast<typename ArrayType::ValueType>(from.Read(record)));
+  }
+  table->AddColumn(column);
+}
+
+/// Adds columns with a row per record.
+template <typename Record>
+void AddColumns(vtkTable* table, const std::vector<TableColumn<Record>>& columns,
+  const std::vector<Record>& records)
+{
+  for (const TableColumn<Record>& column : columns)
+  {
+    if (column.IsCount)
+    {
+      AddColumnOf<vtkIntArray>(table, column, records);
+    }
+    else
+    {
+      AddColumnOf<vtkDoubleArray>(table, column, records);
+    }
+  }
 }
 
 /// Adds a column to a table of one row.

@@ -1,7 +1,9 @@
 #include "SegmentationResult.h"
 
 #include "ContourMeshAdapter.h"
-#include "ConvergenceTable.h"
+#include "TableAdapter.h"
+
+#include "Deformation/ConvergenceColumns.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -13,7 +15,8 @@ namespace FlipFree
 void SegmentationResult::Store(const VolumeSegmentation& result, bool guarded)
 {
   const OrganSurface& organ = result.Organ;
-  FillConvergenceTable(organ.Iterations, this->Convergence);
+  AddColumns(this->Convergence, ConvergenceColumns(), organ.Iterations);
+  AddColumns(this->Questions, QuestionColumns(), result.Questions);
   if (organ.Reason == StopReason::Aborted)
   {
     this->History.Clear();
@@ -58,6 +61,7 @@ void SegmentationResult::CopyTo(vtkInformationVector* outputs) const
   vtkPolyData::GetData(outputs, 0)->ShallowCopy(surface);
   vtkImageData::GetData(outputs, 1)->ShallowCopy(this->Labels);
   vtkTable::GetData(outputs, 2)->ShallowCopy(this->Convergence);
+  vtkTable::GetData(outputs, 3)->ShallowCopy(this->Questions);
 }
 
 } // namespace FlipFree

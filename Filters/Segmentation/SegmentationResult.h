@@ -26,11 +26,12 @@ struct SegmentationResult
   vtkNew<vtkPolyData> Surface;
   vtkNew<vtkImageData> Labels;
   vtkNew<vtkTable> Convergence;
+  vtkNew<vtkTable> Questions;
   IterationHistory History;
   std::string Provenance; ///< of the surface
   vtkTimeStamp Time;
 
-  /// The convergence and, unless the run was aborted, the surface.
+  /// The tables and, unless the run was aborted, the surface.
   void Store(const VolumeSegmentation& result, bool guarded);
 
   /// Whether nothing has changed since: neither the filter, last modified at `filterTime`, nor its

@@ -2,7 +2,6 @@
 
 #include "ConstraintPoints.h"
 #include "ContourMeshAdapter.h"
-#include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "FilterAdvice.h"
@@ -10,7 +9,9 @@
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
+#include "TableAdapter.h"
 
+#include "Deformation/ConvergenceColumns.h"
 #include "Deformation/Provenance.h"
 #include "Deformation/SegmentationRequest.h"
 #include "MessageText.h"
@@ -120,6 +121,7 @@ struct vtkFlipFreeOrganGroup::Internals
   std::vector<FlipFree::NamedOrgan> Organs;
   std::vector<FlipFree::VolumeSegmentation> Results; // without surfaces
   std::vector<vtkSmartPointer<vtkTable>> Convergence;
+  std::vector<vtkSmartPointer<vtkTable>> Questions;
 
   const FlipFree::VolumeSegmentation* Finished(int organ) const
   {
@@ -264,6 +266,11 @@ vtkTable* vtkFlipFreeOrganGroup::GetConvergence(int organ)
   return this->Kept->Result(organ) ? this->Kept->Convergence[organ].Get() : nullptr;
 }
 
+vtkTable* vtkFlipFreeOrganGroup::GetQuestions(int organ)
+{
+  return this->Kept->Result(organ) ? this->Kept->Questions[organ].Get() : nullptr;
+}
+
 int vtkFlipFreeOrganGroup::GetStopReason(int organ) const
 {
   const auto* const result = this->Kept->Result(organ);
@@ -340,6 +347,7 @@ int vtkFlipFreeOrganGroup::RequestData(vtkInformationVector** inputs, vtkInforma
     }
     this->Kept->Results.clear();
     this->Kept->Convergence.clear();
+    this->Kept->Questions.clear();
     std::fill_n(this->StageSeconds, 4, 0.0);
   };
   clear();
@@ -376,6 +384,7 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   {
     FlipFree::VolumeSegmentation& result = this->Kept->Results[index];
     this->Kept->Convergence.push_back(vtkSmartPointer<vtkTable>::New());
+    this->Kept->Questions.push_back(vtkSmartPointer<vtkTable>::New());
     if (result.Organ.Reason != FlipFree::StopReason::Aborted)
     {
       const std::string& name = request.Organs[index].Name;
@@ -405,7 +414,9 @@ void vtkFlipFreeOrganGroup::FillOutputs(int organ, const std::string& name, vtkI
   vtkInformationVector* outputs)
 {
   const FlipFree::VolumeSegmentation& result = this->Kept->Results[organ];
-  FlipFree::FillConvergenceTable(result.Organ.Iterations, this->Kept->Convergence[organ]);
+  FlipFree::AddColumns(this->Kept->Convergence[organ], FlipFree::ConvergenceColumns(),
+    result.Organ.Iterations);
+  FlipFree::AddColumns(this->Kept->Questions[organ], FlipFree::QuestionColumns(), result.Questions);
   vtkNew<vtkPolyData> surface;
   FlipFree::AttachMesh(result.Organ.Mesh, result.Organ.Points, surface);
   FlipFree::AttachField(result.Organ.Field, surface);

@@ -140,12 +140,13 @@ public:
 
   ///@{
   /**
-   * For the organ with that index, counted from 0, after Update(): its surface; the table
-   * `Convergence` of vtkFlipFreeSegmentation, null if there is no such organ; why its last level
-   * ended, one of vtkFlipFreeSegmentation::StopReasons, or the same in words.
+   * For the organ with that index, counted from 0, after Update(): its surface; the tables
+   * `Convergence` and `Questions` of vtkFlipFreeSegmentation, null if there is no such organ; why
+   * its last level ended, one of vtkFlipFreeSegmentation::StopReasons, or the same in words.
    */
   vtkPolyData* GetSurface(int organ);
   vtkTable* GetConvergence(int organ);
+  vtkTable* GetQuestions(int organ);
   int GetStopReason(int organ) const;
   const char* GetStopReasonAsString(int organ) const;
   ///@}

@@ -57,7 +57,7 @@ vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
   , Constraints(std::make_unique<FlipFree::ConstraintList>())
 {
   this->SetNumberOfInputPorts(4);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 vtkFlipFreeSegmentation::~vtkFlipFreeSegmentation() = default;
@@ -92,6 +92,11 @@ vtkTable* vtkFlipFreeSegmentation::GetConvergence()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
 }
 
+vtkTable* vtkFlipFreeSegmentation::GetQuestions()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(3));
+}
+
 void vtkFlipFreeSegmentation::SetStartData(vtkPolyData* surface)
 {
   this->SetInputDataObject(1, surface);
@@ -113,7 +118,7 @@ int vtkFlipFreeSegmentation::FillInputPortInformation(int port, vtkInformation* 
 
 int vtkFlipFreeSegmentation::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* const types[3] = { "vtkPolyData", "vtkImageData", "vtkTable" };
+  const char* const types[4] = { "vtkPolyData", "vtkImageData", "vtkTable", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }

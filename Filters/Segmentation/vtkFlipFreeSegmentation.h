@@ -56,6 +56,12 @@
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
  * the seconds of its stages, SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
+ * Output port 3: vtkTable `Questions`, a row per part of which Carving was not sure, at most five,
+ * those first where an answer is worth most: x, y, z (double, mm; where it is deepest), volume_ml
+ * (double), included (int; 1 in the surface, 0 left out), margin (double; by how much the contrary
+ * costs more, per mm3: the smaller, the more doubtful). The answer yes is an inside point there, no
+ * an outside point. Parts in whose neighborhood such a point or a further seed lies, within the
+ * radius of a ball of the part's volume, are answered, and no longer in the table.
  *
  * Errors, with a code of FlipFreeErrorCode.h. Each is reported once, and the outputs are then
  * empty.
@@ -79,10 +85,11 @@
  *   at the image's border along two axes.
  * - Start labels: the surface misses more than a twentieth of their voxels, or, without
  * constraints, adds more than a tenth to them; some of them lie outside the image.
- * - If none of these applies: the confidence is below 0.85. Look at the contour where its
- *   confidence is low, and correct it there by points. There is no such warning with constraints,
- *   of which the confidence's threshold knows nothing, nor without carving, as in the presets
- *   Published and Naive.
+ * - If none of these applies: the confidence is below 0.85, or a question has a margin below 2.1
+ *   and is about more than 6.5 % of the organ's volume. The warning asks the first such question.
+ *   Without one, look at the contour where its confidence is low, and correct it there by points.
+ *   There is no such warning with constraints, of which the confidence's threshold knows nothing,
+ *   nor without carving, as in the presets Published and Naive.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Extensions can be switched off; the rules
  * of Carving share a switch.
@@ -137,6 +144,7 @@ public:
   vtkPolyData* GetSurface();
   vtkImageData* GetLabelMap();
   vtkTable* GetConvergence();
+  vtkTable* GetQuestions();
   ///@}
 
   ///@{

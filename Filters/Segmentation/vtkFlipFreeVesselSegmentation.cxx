@@ -2,13 +2,14 @@
 
 #include "ConstraintPoints.h"
 #include "ContourMeshAdapter.h"
-#include "ConvergenceTable.h"
+#include "Deformation/ConvergenceColumns.h"
 #include "ExecutionAdapter.h"
 #include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
+#include "TableAdapter.h"
 #include "Vessel/VesselParameters.h"
 #include "Vessel/VesselProvenance.h"
 #include "VesselOutputs.h"
@@ -177,7 +178,8 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
       constraints, *this->Settings, FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));
   std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
   this->StopReason = static_cast<int>(result.Surface.Reason);
-  FlipFree::FillConvergenceTable(result.Surface.Iterations, vtkTable::GetData(outputs, 3));
+  FlipFree::AddColumns(vtkTable::GetData(outputs, 3), FlipFree::ConvergenceColumns(),
+    result.Surface.Iterations);
   if (result.Surface.Reason == FlipFree::StopReason::Aborted)
   {
     return;

@@ -99,6 +99,41 @@ function pointArrayOf(bytes, name) {
   return new Float32Array(Uint8Array.from(bytes.subarray(at + 8, at + 8 + size)).buffer);
 }
 
+/** A ball with a lobe on a neck, as in Testing/Support/lobed_ball.py. */
+function lobedBall(brighter) {
+  const size = [80, 48, 48];
+  const voxels = new Int16Array(80 * 48 * 48);
+  let state = 1;
+  for (let voxel = 0; voxel < voxels.length; voxel += 1) {
+    const x = 2 * (voxel % 80);
+    const y = 2 * (Math.floor(voxel / 80) % 48);
+    const z = 2 * Math.floor(voxel / (80 * 48));
+    const offAxis = (y - 47) ** 2 + (z - 47) ** 2;
+    const behind = x > 78 && ((x - 106) ** 2 + offAxis < 24 ** 2 || (x < 106 && offAxis < 11 ** 2));
+    const inside = behind || (x - 48) ** 2 + offAxis < 30 ** 2 || (x > 48 && x < 106 && offAxis < 11 ** 2);
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    voxels[voxel] = 20 + 80 * inside + brighter * behind + ((state >>> 16) % 25) - 12;
+  }
+  return { size, spacing: [2, 2, 2], origin: [0, 0, 0], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1], voxels };
+}
+
+test("it asks where it is not sure, and a point answers", async () => {
+  assert.deepEqual(liver.questions, []);
+  const parameters = { resolution: 16 };
+  const lobed = { center: [48, 47, 47], radius: 18 };
+  const kept = await flipfree.segment(lobedBall(0), lobed, { parameters });
+  assert.equal(kept.questions.length, 1);
+  const { place, volume, included, margin } = kept.questions[0];
+  assert.ok(Math.hypot(place[0] - 100, place[1] - 46, place[2] - 46) < 12, `${place}`);
+  assert.ok(Math.abs(volume - 32) < 12 && included === true && margin > 0);
+  assert.equal(kept.warnings.length, 1);
+  assert.match(kept.warnings[0], /^Is the part of \d+ ml at \(\d+, \d+, \d+\) mm organ\? an outside point at \d+ \d+ \d+ removes it\.$/);
+  const without = await flipfree.segment(lobedBall(0), lobed, { parameters, outside: [place] });
+  assert.deepEqual([without.questions, without.warnings], [[], []]);
+  const cut = await flipfree.segment(lobedBall(4), lobed, { parameters });
+  assert.equal(cut.questions[0].included, false);
+});
+
 test("a label of a label map in place of a seed: the command's surface, corrected by points", async () => {
   const start = { labels: phantom.labelMap, label: 1 };
   const spleen = await flipfree.segment(phantom.image, start);

@@ -11,7 +11,7 @@ import unittest
 
 SOURCE = sys.argv[1]
 # What kernels share, and what has no stage of its own.
-HELPERS = {"KernelTypes", "MessageText", "Stopwatch"}
+HELPERS = {"KernelTypes", "MessageText", "Stopwatch", "TableColumn"}
 
 
 def text_of(*path):

@@ -108,31 +108,40 @@ TEST(SegmentationWarnings, ASurfaceThatEnclosesMuchMoreThanItsLabelsIsNoticed)
   EXPECT_EQ(WarningsOfFilling(beside, 20, true).size(), 2U);
 }
 
-// The largest first, each once, on the side where the surface has it.
-TEST(SegmentationWarnings, PartsThatTheCutWasNotSureOfAreNamed)
+// The first question is the remedy, in each front end's way of giving points.
+TEST(SegmentationWarnings, DoubtIsTheFirstQuestion)
 {
-  const ImageGeometry geometry = Grid({ { 100, 100, 100 } }, { 1, 1, 1 });
-  std::vector<VoxelRun> voxels;
-  for (int k = 20; k < 60; ++k)
-  {
-    for (int j = 20; j < 60; ++j)
-    {
-      voxels.push_back({ j, k, 20, 60 }); // 64 ml
-    }
-  }
-  const auto part = [](double x, double milliliters, double margin) {
-    return DoubtfulPart{ { x, 40, 40.4 }, 1000 * milliliters, false, margin };
-  };
-  const std::vector<std::string> warnings = WarningsOfParts(
-    { part(50, 6, 0.4), part(80, 9, 1.9), part(84, 5, 0.1), part(30, 50, 5), part(10, 4, 0.1) },
-    voxels, geometry);
-  ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_EQ(warnings[0],
-    "9 ml around (80, 40, 40) mm were left out, but may be a part of the organ, which they join at "
-    "a neck; look at them, and add an inside point there if they are one.");
-  EXPECT_EQ(warnings[1],
-    "6 ml around (50, 40, 40) mm were taken for a part of the organ, which they join at a neck, "
-    "but "
-    "may be none; look at them, and add an outside point there if they are none.");
-  EXPECT_TRUE(WarningsOfParts({}, voxels, geometry).empty());
+  const OrganSegmentationSettings settings;
+  const double volume = 64000;
+  const DoubtfulPart left{ { 80, 40, 40.4 }, 9000, false, 1.9 };
+  const DoubtfulPart taken{ { 50, -40, 40 }, 6000, true, 0.4 };
+  const std::string warning = WarningOfDoubt(0.9, { left, taken }, volume, settings);
+  EXPECT_EQ(WithNames(warning),
+    "Is the part of 9 ml at (80, 40, 40) mm organ? AddInsidePoint 80 40 40 adds it.");
+  EXPECT_EQ(WithNames(WarningOfDoubt(0.9, { taken, left }, volume, settings),
+              { { "AddOutsidePoint", "--outside" } }),
+    "Is the part of 6 ml at (50, -40, 40) mm organ? --outside 50 -40 40 removes it.");
+  EXPECT_EQ(WarningOfDoubt(0.849, { left }, volume, settings),
+    "The result is doubtful: its confidence is 0.84, below 0.85. " + warning);
+  EXPECT_EQ(WarningOfDoubt(0.849, {}, volume, settings),
+    "The result is doubtful: its confidence is 0.84, below 0.85; look at the contour where its "
+    "confidence is low, and correct it there by points inside or outside the organ.");
+}
+
+// Large parts that are sure, and small ones, are questions for those who ask, and no warnings.
+TEST(SegmentationWarnings, QuestionsThatHardlyMatterAreNone)
+{
+  OrganSegmentationSettings settings;
+  const double volume = 64000;
+  const DoubtfulPart sure{ { 80, 40, 40 }, 20000, false, 5 };
+  const DoubtfulPart small{ { 50, 40, 40 }, 4000, true, 0.1 };
+  const DoubtfulPart doubtful{ { 10, 40, 40 }, 5000, true, 0.1 };
+  EXPECT_TRUE(WarningOfDoubt(0.9, {}, volume, settings).empty());
+  EXPECT_EQ(WarningOfDoubt(0.8, { sure, small }, volume, settings),
+    WarningOfDoubt(0.8, {}, volume, settings));
+  EXPECT_TRUE(WarningOfDoubt(0.9, { sure, small }, volume, settings).empty());
+  EXPECT_EQ(WarningOfDoubt(0.9, { sure, small, doubtful }, volume, settings),
+    WarningOfDoubt(0.9, { doubtful }, volume, settings));
+  settings.Feature.Carving = false;
+  EXPECT_TRUE(WarningOfDoubt(0.5, {}, volume, settings).empty());
 }

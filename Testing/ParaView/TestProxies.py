@@ -128,7 +128,7 @@ class Proxies(session.SessionTest):
             self.assertEqual([float(word) for line in lines for word in line.split(",")], values)
 
     def test_ports_have_names(self):
-        ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence"],
+        ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence", "Questions"],
                  "FlipFreeOrganGroup": ["Surfaces", "Label map", "Organs"],
                  "FlipFreeVesselSegmentation": ["Surface", "Label map", "Centerline", "Convergence"],
                  "FlipFreePhantom": ["Image", "Label map", "Surface"],

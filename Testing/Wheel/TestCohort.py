@@ -27,6 +27,9 @@ except ImportError as error:
     print(f"Skipped: {error}.")
     sys.exit(77)
 
+sys.path.append(str(Path(__file__).resolve().parent.parent / "Support"))
+import lobed_ball  # pylint: disable=wrong-import-position
+
 COMMAND = str(Path(sys.executable).parent / "flipfree")
 GRID = {"dimensions": (48, 48, 32), "spacing": (1, 1, 1.6)}
 COARSE = {"resolution": 8, "levels": 1}
@@ -194,6 +197,23 @@ class Local(CohortTest):
         self.assertEqual(process.returncode, 2)
         self.assertRegex(process.stderr, r"\Aflipfree: error: '.*cohort\.csv' is an input, which would be overwritten.*\n\Z")
         self.assertEqual(table.read_text(encoding="utf-8"), "volume\n")
+
+    def test_questions(self):
+        """Their number, and the place of the first as the columns of points take it."""
+        voxels = numpy.frombuffer(lobed_ball.lobed_ball(4), numpy.int16).reshape(lobed_ball.SIZE[::-1])
+        flipfree.write_image(flipfree.image_from_array(voxels, lobed_ball.SPACING), self.folder / "lobed.nii.gz")
+        x, y, z = lobed_ball.SEED
+        row = {"case": "a", "volume": self.folder / "lobed.nii.gz", "seed_x": x, "seed_y": y, "seed_z": z,
+               "radius": lobed_ball.RADIUS, "resolution": 16}
+        asked = flipfree.cohort([row], self.out, workers=1).rows[0]
+        self.assertEqual((asked["status"], asked["questions"]), ("done", 1), asked["message"])
+        place = [float(word) for word in asked["first_question"].split()]
+        self.assertLess(numpy.abs(numpy.subtract(place, lobed_ball.LOBE)).max(), 8)
+        self.assertIn(f"<dt>questions</dt><dd>1, the first at {asked['first_question']} mm</dd>",
+                      (self.out / "report.html").read_text(encoding="utf-8"))
+        answered = flipfree.cohort([{**row, "inside": asked["first_question"]}], self.out, workers=1).rows[0]
+        self.assertEqual((answered["questions"], answered["first_question"]), (0, None))
+        self.assertGreater(answered["segmented_ml"], asked["segmented_ml"] + 20)
 
     def check_files(self, found, good):
         """A row's surface and label map are those of segment()."""

@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import os
+import pty
 import re
 import signal
 import subprocess
@@ -21,6 +22,9 @@ try:
 except ImportError:
     print("Skipped: SimpleITK is not installed.")
     sys.exit(77)
+
+sys.path.append(str(Path(__file__).resolve().parent.parent / "Support"))
+import lobed_ball  # pylint: disable=wrong-import-position
 
 TOOLKIT = os.environ["FLIPFREE_COMMAND"]
 OURS = str(Path(sys.executable).parent / "flipfree")
@@ -142,6 +146,42 @@ class Work(unittest.TestCase):
             self.assertEqual(*(process.returncode for process in said))
             for process in said:
                 self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]+\n\Z")
+
+    def test_questions(self):
+        """Both ask the same, and the same answers give the same surface."""
+        volume = self.folder / "lobed.nii.gz"
+        voxels = numpy.frombuffer(lobed_ball.lobed_ball(4), numpy.int16).reshape(lobed_ball.SIZE[::-1])
+        flipfree.write_image(flipfree.image_from_array(voxels, lobed_ball.SPACING), volume)
+        arguments = ["segment", volume, "--seed", *lobed_ball.SEED, "--radius", lobed_ball.RADIUS, "--resolution", 16, "-q"]
+        tables, prompts, surfaces = [], set(), set()
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            table, surface = self.folder / f"{name}.csv", self.folder / f"{name}.ply"
+            process = run(*arguments, "--questions", table, program=program)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            tables.append(list(csv.DictReader(table.read_text(encoding="utf-8").splitlines())))
+            process = run(*arguments, "--ask", "-o", surface, program=program)
+            self.assertEqual((process.returncode, surface.exists()), (2, False))
+            self.assertRegex(process.stderr, "^flipfree: error: --ask needs a terminal to ask at")
+            prompts.add(self.answered(b"y\n", program, *arguments, "--ask", "-o", surface, "--save-points", table))
+            surfaces.add(vertices_of(surface).tobytes())
+            self.assertRegex(table.read_text(encoding="utf-8"), r"^kind,x,y,z,radius\ninside,\d+,\d+,\d+,\n$")
+        self.assertEqual([list(table[0]) for table in tables], [["x", "y", "z", "volume_ml", "included", "margin"]] * 2)
+        for ours, theirs in zip(tables[0][0].values(), tables[1][0].values()):
+            self.assertLess(abs(float(ours) - float(theirs)), 1e-4 * max(1, abs(float(ours))))
+        self.assertEqual((len(prompts), len(surfaces)), (1, 1), prompts)
+
+    def answered(self, answer, program, *arguments):
+        """What is written on the standard error stream while a terminal gives the answer."""
+        try:
+            ours, theirs = pty.openpty()
+        except OSError as error:  # a chroot without /dev/pts
+            self.skipTest(f"no pseudo-terminal: {error}")
+        os.write(ours, answer)  # the terminal keeps it until it is read
+        process = subprocess.run([program, *map(str, arguments)], stdin=theirs, capture_output=True, text=True, timeout=120, check=False)
+        os.close(theirs)
+        os.close(ours)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        return process.stderr
 
     def test_session(self):
         """What the page in the browser saves, repeated by both commands."""

@@ -154,6 +154,8 @@ class Pipeline(unittest.TestCase):
         numpy.testing.assert_array_equal(labels.active_scalars, liver.labels.ravel())
         self.assertEqual(labels.dimensions, liver.labels.shape[::-1])
         self.assertEqual(self.filter.GetConvergence().GetNumberOfRows(), len(liver.iterations["Iteration"]))
+        questions = self.filter.GetQuestions()
+        self.assertEqual((questions.GetNumberOfRows(), questions.GetNumberOfColumns()), (len(liver.questions), 6))
         self.assertEqual(self.filter.GetStopReasonAsString(), liver.stop_reason)
 
     def test_runs_only_when_something_has_changed(self):

@@ -47,6 +47,9 @@ public:
   /// Whether points are read from a file, or written.
   bool HasFiles() const { return !this->PointsIn.empty() || !this->PointsOut.empty(); }
 
+  /// Whether the command line has RAS coordinates.
+  bool AreRas() const { return this->RAS; }
+
   /// Where points are read from; empty if nowhere.
   const std::string& Input() const { return this->PointsIn; }
 

@@ -1,3 +1,4 @@
+#include "AskQuestions.h"
 #include "CommonOptions.h"
 #include "Failure.h"
 #include "LabelAdapter.h"
@@ -59,6 +60,7 @@ void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
   announce("--output", request.Surface, inputs);
   announce("--labels", request.Labels, inputs);
   announce("--convergence", request.Convergence, inputs);
+  announce("--questions", request.Questions, inputs);
   announce("--snapshot", request.Snapshot, inputs);
   announce("--save-session", request.SessionOut, inputs);
   // All points may take the place of those that were given.
@@ -109,6 +111,11 @@ void WriteResults(const OrganFilter& filter, vtkImageData* image, const SegmentR
     [&](const std::string& name) { WriteSurface(name, filter.Surface(), NamesOf(request)); });
   write(request.Convergence,
     [&](const std::string& name) { WriteTable(name, filter.Convergence()); });
+  if (auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm()))
+  {
+    write(request.Questions,
+      [&](const std::string& name) { WriteTable(name, organ->GetQuestions()); });
+  }
   write(request.Snapshot,
     [&](const std::string& name) { WriteSnapshot(name, image, filter.Surface()); });
 }
@@ -140,6 +147,7 @@ FilterPointer FilterOf(const SegmentRequest& request)
   auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
   request.Parameters.Apply(filter);
   filter->SetLabelValue(request.Label);
+  filter->SetKeepForCorrections(request.Asks);
   AddPoints(request.Session.empty() ? request.Corrections.Points() : request.Repeated.Corrections,
     filter);
   return std::make_unique<OrganFilterOf<vtkFlipFreeSegmentation>>(filter);
@@ -177,6 +185,43 @@ void WarnOfOtherLabels(vtkImageData* labels, const SegmentRequest& request)
   }
 }
 
+void Update(const SegmentRequest& request, const OrganFilter& filter)
+{
+  const std::string title = TitleOf(request);
+  try
+  {
+    Run(filter.Algorithm(), request.Organ.empty() ? "segmenting" : request.Organ,
+      QuantitiesOf(request));
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(title + ": " + failure.what());
+  }
+  if (filter.Surface()->GetNumberOfPolys() == 0)
+  {
+    throw Failure(
+      title + ": no surface was found. Check that the seed sphere lies within the organ.");
+  }
+  if (filter.StopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
+  {
+    throw Failure(
+      title + ": No segmentation: " + (request.IsVessel() ? NoVesselBoundaryText : NoBoundaryText));
+  }
+}
+
+/// Asks once, segments again by the answers, and returns their points.
+std::vector<CorrectionPoint> Ask(const SegmentRequest& request, const OrganFilter& filter)
+{
+  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
+  const std::vector<CorrectionPoint> answers = AskQuestions(organ->GetQuestions());
+  if (!answers.empty())
+  {
+    AddPoints(answers, organ);
+    Update(request, filter);
+  }
+  return answers;
+}
+
 void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter& filter)
 {
   vtkSmartPointer<vtkImageData> startLabels;
@@ -196,26 +241,7 @@ void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter
       organ->SetStartLabel(chosen.Label < 0 ? 1 : chosen.Label);
     }
   }
-  const std::string title = TitleOf(request);
-  try
-  {
-    Run(algorithm, request.Organ.empty() ? "segmenting" : request.Organ,
-      SegmentParameters::Names());
-  }
-  catch (const Failure& failure)
-  {
-    throw Failure(title + ": " + failure.what());
-  }
-  if (filter.Surface()->GetNumberOfPolys() == 0)
-  {
-    throw Failure(
-      title + ": no surface was found. Check that the seed sphere lies within the organ.");
-  }
-  if (filter.StopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
-  {
-    throw Failure(
-      title + ": No segmentation: " + (request.IsVessel() ? NoVesselBoundaryText : NoBoundaryText));
-  }
+  Update(request, filter);
   if (startLabels)
   {
     WarnOfOtherLabels(startLabels, request); // voxels and label are proper, or it had failed
@@ -274,9 +300,14 @@ void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
     organ.SeriesUID = SeriesOf(image);
   }
 
+  std::vector<CorrectionPoint> answers;
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
   {
     RunOn(image, organs[organ], *filters[organ]);
+    if (organs[organ].Asks)
+    {
+      answers = Ask(organs[organ], *filters[organ]);
+    }
     WriteResults(*filters[organ], image, organs[organ], outputs);
   }
   if (!first.Labels.empty())
@@ -302,8 +333,10 @@ void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
   }
   if (!first.Corrections.Output().empty())
   {
+    std::vector<CorrectionPoint> points = first.Corrections.Points();
+    points.insert(points.end(), answers.begin(), answers.end());
     outputs.Write(first.Corrections.Output(),
-      [&first](const std::string& name) { WritePoints(name, first.Corrections.Points()); });
+      [&points](const std::string& name) { WritePoints(name, points); });
   }
   outputs.Commit();
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
@@ -362,6 +395,7 @@ const char* const SegmentFooter =
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
   "  flipfree segment ct.nii.gz --start-labels network.nii.gz --start-label 6 -o liver.stl\n"
+  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --ask -o liver.vtp\n"
   "  flipfree segment ct.nii.gz --session session.json -o organ.stl --labels organs.nii.gz\n"
   "  flipfree segment ct.nii.gz --organ liver 83 -154 321 26 --organ spleen 250 -110 360 14 \\\n"
   "      --outside 240 -80 350 -o organ.vtp --labels organs.nii.gz\n"
@@ -427,6 +461,15 @@ void AddFiles(CLI::App* command, SegmentRequest& request)
       "names and colors)")
     ->type_name("FILE");
   AddConvergenceOption(*command, request.Convergence);
+  command
+    ->add_option("--questions", request.Questions,
+      "Table of the parts of which the result is not sure, at most five, those first where an "
+      "answer is worth most (.csv): place, volume, whether it is included, and the margin. Yes is "
+      "--inside X Y Z, no --outside X Y Z. Vessels of a session have none")
+    ->type_name("FILE");
+  command->add_flag("--ask", request.Asks,
+    "Ask these questions at the terminal, and segment again by the answers, which are points "
+    "inside and outside; --save-points writes them");
   AddSnapshotOption(*command, request.Snapshot);
   AddSaveSessionOption(*command, request.SessionOut);
   command

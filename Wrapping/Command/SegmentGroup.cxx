@@ -58,11 +58,13 @@ struct OrganFiles
 {
   std::string Surface;
   std::string Convergence;
+  std::string Questions;
   std::string Snapshot;
 
   OrganFiles(const SegmentRequest& given, const GivenOrgan& organ)
     : Surface(NameFor(organ.FileName(), given.Surface))
     , Convergence(NameFor(organ.FileName(), given.Convergence))
+    , Questions(NameFor(organ.FileName(), given.Questions))
     , Snapshot(NameFor(organ.FileName(), given.Snapshot))
   {
   }
@@ -128,6 +130,7 @@ public:
     {
       announce("--output", files.Surface);
       announce("--convergence", files.Convergence);
+      announce("--questions", files.Questions);
       announce("--snapshot", files.Snapshot);
     }
     if (!this->Given.Snapshot.empty())
@@ -164,7 +167,7 @@ public:
     }
     try
     {
-      Run(this->Group, "segmenting", SegmentParameters::Names());
+      Run(this->Group, "segmenting", QuantitiesOf(this->Given));
     }
     catch (const Failure& failure)
     {
@@ -224,6 +227,8 @@ private:
       [&](const std::string& name) { WriteSurface(name, surface, this->Names); });
     this->WriteIfNamed(files.Convergence,
       [&](const std::string& name) { WriteTable(name, this->Group->GetConvergence(organ)); });
+    this->WriteIfNamed(files.Questions,
+      [&](const std::string& name) { WriteTable(name, this->Group->GetQuestions(organ)); });
     this->WriteIfNamed(files.Snapshot,
       [&](const std::string& name) { WriteSnapshot(name, this->Image, surface); });
   }

@@ -407,7 +407,8 @@ FlipFree::QuantityNames SegmentParameters::Names()
 {
   FlipFree::QuantityNames names{ { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" },
     { "StartLabel", "--start-label" }, { "StartCenterOffset", "--start-offset" },
-    { "LabelValue", "--label-value" } };
+    { "LabelValue", "--label-value" }, { "AddInsidePoint", "--inside" },
+    { "AddOutsidePoint", "--outside" } };
   for (const ParameterGroup& group : Table())
   {
     for (const Parameter& parameter : group.Parameters)

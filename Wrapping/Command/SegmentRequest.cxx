@@ -1,5 +1,6 @@
 #include "SegmentRequest.h"
 
+#include "AskQuestions.h"
 #include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
@@ -46,6 +47,17 @@ void RequireOnlyOrgans(const SegmentRequest& request)
                      "--inside, --outside and --boundary, after the organ that they belong to.");
   }
   request.Several.Organs(request.Corrections);
+}
+
+/// Somebody to answer, and one organ that the answers correct.
+void RequireAnswers(const SegmentRequest& request)
+{
+  if (!request.Several.IsEmpty() || !request.Session.empty())
+  {
+    throw WrongUsage("--ask is for one organ, which starts from a seed or --start-labels. Leave it "
+                     "out; --questions writes the questions of several.");
+  }
+  RequireTerminal();
 }
 
 /// One for each seed.
@@ -116,6 +128,10 @@ void RequireStart(const SegmentRequest& request)
 void RequireSense(const SegmentRequest& request)
 {
   request.Corrections.RequireSense();
+  if (request.Asks)
+  {
+    RequireAnswers(request);
+  }
   if (!request.Several.IsEmpty())
   {
     RequireOnlyOrgans(request);
@@ -126,10 +142,10 @@ void RequireSense(const SegmentRequest& request)
   }
   RequireStart(request);
   if (request.Surface.empty() && request.Labels.empty() && request.Convergence.empty() &&
-    request.Snapshot.empty() && request.SessionOut.empty())
+    request.Questions.empty() && request.Snapshot.empty() && request.SessionOut.empty())
   {
     throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
-                     "--convergence, --snapshot and --save-session.");
+                     "--convergence, --questions, --snapshot and --save-session.");
   }
   const auto require =
     [](const char* option, const std::string& name, const std::vector<std::string>& endings)
@@ -142,6 +158,7 @@ void RequireSense(const SegmentRequest& request)
   require("--output", request.Surface, SurfaceEndings());
   require("--labels", request.Labels, VolumeEndings());
   require("--convergence", request.Convergence, { ".csv" });
+  require("--questions", request.Questions, { ".csv" });
   require("--snapshot", request.Snapshot, { ".png" });
   require("--save-session", request.SessionOut, { ".json" });
 }
@@ -150,6 +167,17 @@ std::string TitleOf(const SegmentRequest& request, const char* quote)
 {
   return InputTitle(quote + request.Input + quote, request.SeriesUID) +
     (request.Organ.empty() ? "" : ", " + request.Organ);
+}
+
+FlipFree::QuantityNames QuantitiesOf(const SegmentRequest& request)
+{
+  FlipFree::QuantityNames names = SegmentParameters::Names();
+  if (request.Corrections.AreRas())
+  {
+    names["AddInsidePoint"] = "an inside point in LPS at";
+    names["AddOutsidePoint"] = "an outside point in LPS at";
+  }
+  return names;
 }
 
 OriginNames NamesOf(const SegmentRequest& request)

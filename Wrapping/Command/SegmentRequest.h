@@ -30,11 +30,13 @@ struct SegmentRequest
   std::string Surface;
   std::string Labels;
   std::string Convergence;
+  std::string Questions;
   std::string Snapshot;
   std::string SessionOut; // where all is to be written that repeats the run
   int Label = 1;
   int Threads = 0;
   bool Quiet = false;
+  bool Asks = false; // the questions, and segments again by the answers
   SegmentParameters Parameters;
   PointOptions Corrections;
   OrganOptions Several;  // in place of the seed
@@ -52,6 +54,9 @@ void RequireSense(const SegmentRequest& request);
 
 /// How messages call what is segmented.
 std::string TitleOf(const SegmentRequest& request, const char* quote = "'");
+
+/// What messages call quantities. Their points are in LPS, and no values of options with --ras.
+FlipFree::QuantityNames QuantitiesOf(const SegmentRequest& request);
 
 /// The name of an organ's own file: `out-liver.vtp` for `out.vtp`. Empty for none.
 std::string NameFor(const std::string& organ, const std::string& name);

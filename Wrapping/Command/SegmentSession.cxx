@@ -56,7 +56,8 @@ std::vector<SegmentRequest> OrgansOf(const Session& session, const SegmentReques
     if (session.Organs.size() > 1)
     {
       request.Organ = organ.Name;
-      for (std::string* name : { &request.Surface, &request.Convergence, &request.Snapshot })
+      for (std::string* name :
+        { &request.Surface, &request.Convergence, &request.Questions, &request.Snapshot })
       {
         *name = NameFor(organ.Name, *name);
       }

@@ -3,10 +3,10 @@
 namespace FlipFree
 {
 
-const std::vector<ConvergenceColumn>& ConvergenceColumns()
+const std::vector<TableColumn<IterationRecord>>& ConvergenceColumns()
 {
   using Record = const IterationRecord&;
-  static const std::vector<ConvergenceColumn> columns{
+  static const std::vector<TableColumn<IterationRecord>> columns{
     { "Iteration", true, [](Record r) -> double { return r.Iteration; } },
     { "Level", true, [](Record r) -> double { return r.Level; } },
     { "Vertices", true, [](Record r) -> double { return r.Vertices; } },

@@ -5,20 +5,14 @@
 #define FlipFreeConvergenceColumns_h
 
 #include "Deformation/OrganSegmentation.h"
+#include "TableColumn.h"
 
 #include <vector>
 
 namespace FlipFree
 {
 
-struct ConvergenceColumn
-{
-  const char* Name;
-  bool IsCount; ///< whole numbers
-  double (*Read)(const IterationRecord&);
-};
-
-const std::vector<ConvergenceColumn>& ConvergenceColumns();
+const std::vector<TableColumn<IterationRecord>>& ConvergenceColumns();
 
 } // namespace FlipFree
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 
 namespace FlipFree
 {
@@ -35,15 +34,6 @@ constexpr double GainedSilently = 0.1;
 // 39, 3.
 constexpr double DoubtfulMargin = 2.1;
 constexpr double DoubtfulVolume = 0.065;
-constexpr std::size_t MostDoubts = 3;
-
-bool Holds(const std::vector<VoxelRun>& voxels, const std::array<int, 3>& voxel)
-{
-  return std::any_of(voxels.begin(), voxels.end(),
-    [&voxel](const VoxelRun& run) {
-      return run.K == voxel[2] && run.J == voxel[1] && run.Begin <= voxel[0] && voxel[0] < run.End;
-    });
-}
 
 // Between the tenth and the ninetieth percentile.
 double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& voxels)
@@ -56,6 +46,18 @@ double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& 
   }
   const float high = TakeQuantile(values, 0.9);
   return high - TakeQuantile(values, 0.1);
+}
+
+// A question with its remedy. To the millimeter, the place is still deep in the part.
+std::string AskAbout(const DoubtfulPart& question)
+{
+  char milliliters[32];
+  std::snprintf(milliliters, sizeof(milliliters), "%.0f ml", question.Volume / 1000);
+  const Eigen::RowVector3d place = question.Place.array().round() + 0.0;
+  const std::string numbers = TextOf(place[0]) + " " + TextOf(place[1]) + " " + TextOf(place[2]);
+  return "Is the part of " + std::string(milliliters) + " at " + TextOf(place) + " mm organ? " +
+    (question.IsIncluded ? "{AddOutsidePoint} " : "{AddInsidePoint} ") + numbers +
+    (question.IsIncluded ? " removes it." : " adds it.");
 }
 
 std::string WarningOf(const Implausibility& finding, double reach)
@@ -174,57 +176,24 @@ std::vector<std::string> WarningsOfFilling(const BitMask& labels,
   return warnings;
 }
 
-std::vector<std::string> WarningsOfParts(const std::vector<DoubtfulPart>& doubts,
-  const std::vector<VoxelRun>& voxels, const ImageGeometry& image)
+std::string WarningOfDoubt(double confidence, const std::vector<DoubtfulPart>& questions,
+  double volume, const OrganSegmentationSettings& settings)
 {
-  const double volume = static_cast<double>(CountVoxels(voxels)) * image.VoxelVolume();
-  std::vector<DoubtfulPart> parts;
-  std::copy_if(doubts.begin(), doubts.end(), std::back_inserter(parts),
+  const auto doubtful = std::find_if(questions.begin(), questions.end(),
     [volume](const DoubtfulPart& part)
     { return part.Margin < DoubtfulMargin && part.Volume > DoubtfulVolume * volume; });
-  std::stable_sort(parts.begin(), parts.end(),
-    [](const DoubtfulPart& one, const DoubtfulPart& other) { return one.Volume > other.Volume; });
-  std::vector<DoubtfulPart> told;
-  std::vector<std::string> warnings;
-  for (const DoubtfulPart& part : parts)
-  {
-    // Later cuts doubt the same part again.
-    const bool isTold = std::any_of(told.begin(), told.end(),
-      [&part](const DoubtfulPart& other)
-      { return (other.Place - part.Place).norm() < std::cbrt(other.Volume); });
-    if (isTold || told.size() == MostDoubts)
-    {
-      continue;
-    }
-    told.push_back(part);
-    char milliliters[32];
-    std::snprintf(milliliters, sizeof(milliliters), "%.0f ml", part.Volume / 1000);
-    const std::string where = std::string(milliliters) + " around " +
-      TextOf(Eigen::RowVector3d(part.Place.array().round() + 0.0)) + " mm ";
-    const bool isIncluded = Holds(voxels, NearestVoxel(image, part.Place));
-    warnings.push_back(where +
-      (isIncluded
-          ? "were taken for a part of the organ, which they join at a neck, but may be none; look "
-            "at "
-            "them, and add an outside point there if they are none."
-          : "were left out, but may be a part of the organ, which they join at a neck; look at "
-            "them, and add an inside point there if they are one."));
-  }
-  return warnings;
-}
-
-std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings)
-{
+  std::string question = doubtful == questions.end() ? std::string() : AskAbout(*doubtful);
   if (!settings.Feature.Carving || confidence >= DoubtfulConfidence)
   {
-    return {};
+    return question;
   }
   char number[16];
   std::snprintf(number, sizeof(number), "%.2f", std::floor(100 * confidence) / 100);
   return "The result is doubtful: its confidence is " + std::string(number) + ", below " +
     TextOf(DoubtfulConfidence) +
-    "; look at the contour where its confidence is low, and correct it there by points inside or "
-    "outside the organ.";
+    (question.empty() ? "; look at the contour where its confidence is low, and correct it there "
+                        "by points inside or outside the organ."
+                      : ". " + question);
 }
 
 } // namespace FlipFree

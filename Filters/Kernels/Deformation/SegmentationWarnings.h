@@ -30,14 +30,12 @@ std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& 
 std::vector<std::string> WarningsOfFilling(const BitMask& labels,
   const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree);
 
-/// A message for each of the largest parts, with its remedy, of which the cut was not sure and
-/// which matter in an organ of these voxels, on the grid of the image.
-std::vector<std::string> WarningsOfParts(const std::vector<DoubtfulPart>& doubts,
-  const std::vector<VoxelRun>& voxels, const ImageGeometry& image);
-
-/// A message for a result of low confidence, with its remedy; empty for any other, and without
-/// carving, for which the threshold does not hold.
-std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings);
+/// A message for a result that is doubtful, with its remedy: its confidence is low, or there is a
+/// question (PartQuestions.h) whose margin is small and whose part matters in an organ of this
+/// volume, in mm3. The first such question is the remedy. Empty for any other result; without
+/// carving, the confidence's threshold does not hold.
+std::string WarningOfDoubt(double confidence, const std::vector<DoubtfulPart>& questions,
+  double volume, const OrganSegmentationSettings& settings);
 
 } // namespace FlipFree
 

@@ -265,6 +265,7 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     result.Warnings.push_back(this->MixedSeed);
   }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
+  result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);
   if (this->Given)
   {
     const std::vector<std::string> warnings =
@@ -275,14 +276,13 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   {
     return; // more is wrong than a part
   }
-  const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
+  const double volume = static_cast<double>(CountVoxels(result.Voxels)) * geometry.VoxelVolume();
+  const std::string doubt =
+    WarningOfDoubt(result.Confidence.OfSurface, result.Questions, volume, method);
   if (!doubt.empty())
   {
     result.Warnings.push_back(doubt);
   }
-  const std::vector<std::string> parts =
-    WarningsOfParts(organ.Carving.Doubts, result.Voxels, geometry);
-  result.Warnings.insert(result.Warnings.end(), parts.begin(), parts.end());
 }
 
 } // namespace FlipFree

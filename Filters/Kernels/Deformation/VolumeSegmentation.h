@@ -8,6 +8,7 @@
 
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
+#include "Evidence/PartQuestions.h"
 #include "Evidence/SurfaceConfidence.h"
 #include "Image/BitMask.h"
 #include "Image/SliceParts.h"
@@ -51,9 +52,10 @@ struct VolumeSegmentationSettings
 struct VolumeSegmentation
 {
   OrganSurface Organ;
-  std::vector<VoxelRun> Voxels;      ///< inside; none where it was aborted
-  SurfaceConfidence Confidence;      ///< empty where it was aborted
-  std::vector<std::string> Warnings; ///< a message each, with its remedy
+  std::vector<VoxelRun> Voxels;        ///< inside; none where it was aborted
+  SurfaceConfidence Confidence;        ///< empty where it was aborted
+  std::vector<std::string> Warnings;   ///< a message each, with its remedy
+  std::vector<DoubtfulPart> Questions; ///< that constraints have not answered; the first first
   /// Smoothing, feature, deformation with the exact count of self-intersections (which a group does
   /// not include), label map with confidence and warnings.
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
@@ -94,7 +96,7 @@ public:
   OrganSegmenter& Prepare(const ConstraintList& constraints);
   /// Its start surface, small enough to keep off the outside points.
   DeformableSurface StartWithin(const ConstraintList& constraints) const;
-  /// Adds the confidence, warnings and voxels of a surface that was not aborted.
+  /// Adds the confidence, warnings, questions and voxels of a surface that was not aborted.
   void Complete(const ConstraintList& constraints, VolumeSegmentation& result) const;
 
   /// The part of the volume that the surface can reach, once prepared.

@@ -20,7 +20,7 @@ val ObjectOf(const OrganSurface& organ)
 val ColumnsOf(const std::vector<IterationRecord>& records)
 {
   val columns = val::object();
-  for (const ConvergenceColumn& column : ConvergenceColumns())
+  for (const TableColumn<IterationRecord>& column : ConvergenceColumns())
   {
     std::vector<double> values;
     for (const IterationRecord& record : records)

@@ -41,6 +41,21 @@ val ObjectOf(const SeedSphere& seed)
   return object;
 }
 
+val ListOf(const std::vector<DoubtfulPart>& questions)
+{
+  std::vector<val> list;
+  for (const DoubtfulPart& part : questions)
+  {
+    val question = val::object();
+    question.set("place", ArrayOf(part.Place));
+    question.set("volume", part.Volume / 1000);
+    question.set("included", part.IsIncluded);
+    question.set("margin", part.Margin);
+    list.push_back(question);
+  }
+  return val::array(list);
+}
+
 // Runs on one volume, which they read.
 class Runs
 {
@@ -84,6 +99,7 @@ public:
             AnswerOf(result.Organ, { found.Provenance, request.Settings.Method.Step.Guard },
               result.Voxels, result.Warnings);
           answer.set("seed", ObjectOf(found.Seed));
+          answer.set("questions", ListOf(result.Questions));
           answer.set("confidence", result.Confidence.OfSurface);
           answer.set("vertexConfidence", ArrayOf(result.Confidence.OfVertices));
           return answer;

@@ -19,6 +19,7 @@ import {
   type Phantom,
   type PhantomSeed,
   type Preset,
+  type Question,
   type Scores,
   type Seed,
   type StartLabels,
@@ -43,9 +44,14 @@ interface OrganRuns {
     values: Record<string, number[]>,
     corrections: number[],
     report: Report,
-  ): Answer<Omit<Organ, "seed"> & { seed: KernelSeed }>;
+  ): Answer<KernelOrgan>;
   delete(): void;
 }
+
+type KernelOrgan = Omit<Organ, "seed" | "questions"> & {
+  seed: KernelSeed;
+  questions: (Omit<Question, "place"> & { place: Float64Array })[];
+};
 
 interface KernelSeed {
   center: Float64Array;
@@ -172,7 +178,11 @@ export class Engine {
     const points = correctionNumbers(corrections);
     const start = seed ? [...seed.center, seed.radius] : [];
     const organ = this.worded(this.runs.segment(start, preset, values, points, report), known);
-    return { ...organ, seed: { center: triple(organ.seed.center), radius: organ.seed.radius } };
+    return {
+      ...organ,
+      seed: { center: triple(organ.seed.center), radius: organ.seed.radius },
+      questions: organ.questions.map((question) => ({ ...question, place: triple(question.place) })),
+    };
   }
 
   trace(points: readonly Triple[], parameters: Parameters = {}, report: Report = goOn): Vessel {

@@ -129,12 +129,27 @@ export interface Segmentation {
   warnings: string[];
 }
 
+/** Is this a part of the organ? Yes is an inside point at its place, no an outside point. */
+export interface Question {
+  /** Where the part is deepest. */
+  place: Triple;
+  /** Of the part, in milliliters. */
+  volume: number;
+  /** Whether the segmentation has it in the organ. */
+  included: boolean;
+  /** By how much the contrary costs more, per mm3: the smaller, the more doubtful. */
+  margin: number;
+}
+
 export interface Organ extends Segmentation {
   /** Where it started: in the seed, in the largest of several, or in the largest ball that the label holds. */
   seed: Seed;
   /** How far the result can be trusted, 0 to 1. It reads like the Dice score to expect; below `doubtfulConfidence` the result
    * is doubtful, and a warning says so where nothing else does. */
   confidence: number;
+  /** Parts of which the segmentation is not sure, at most five, those first where an answer is worth most, without those that
+   * points have answered. An answer is a point for the next run. */
+  questions: Question[];
   /** How well the image supports the surface at each vertex, 0 to 1: below `doubtfulVertexConfidence`, look there. */
   vertexConfidence: Float32Array;
 }

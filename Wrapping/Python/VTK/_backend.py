@@ -11,7 +11,8 @@ from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._parameters import names_of, snake_case
 from ._properties import Property, properties_of
-from ._segmentation import Segmentation, Vessel
+from ._questions import questions_of
+from ._segmentation import Segmentation, Vessel, columns_of
 from ._types import Preset, Progress
 from ._update import update
 from .FlipFreeEvaluation import vtkSegmentationMetrics
@@ -59,6 +60,8 @@ NAMES = {
     "SeedCenter": "seed",
     "SeedRadius": "radius",
     "StartLabel": "start_label",
+    "AddInsidePoint": "inside",
+    "AddOutsidePoint": "outside",
 }
 # A history is of one organ.
 GROUP_PARAMETERS = {
@@ -101,7 +104,11 @@ class SegmentationAlgorithm:
         for constraint in constraints:
             _add(self.settings, constraint)
         update(self.settings, SegmentationError, tell, names=NAMES)
-        return Segmentation(**_found(self.settings), history=self._history())
+        return Segmentation(
+            **_found(self.settings),
+            questions=questions_of(columns_of(self.settings.GetQuestions())),
+            history=self._history(),
+        )
 
     def _history(self) -> tuple[vtkPolyData, ...]:
         """The surfaces after each iteration, which are the time steps of the first output."""
@@ -155,6 +162,7 @@ class GroupAlgorithm:
                 boundary_found=_has_boundary(group.GetStopReason(organ)),
                 self_intersections=group.GetNumberOfSelfIntersections(organ),
                 constraints=constraints,
+                questions=questions_of(columns_of(group.GetQuestions(organ))),
             )
             for organ, constraints in enumerate(self._constraints)
         ]

@@ -11,9 +11,18 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 from ._corrections import Constraint, Correctable
 from ._faces import Faces
 from ._image_arrays import voxels_in
+from ._questions import Question
 
 if TYPE_CHECKING:
     import numpy.typing as npt
+
+
+def columns_of(table: vtkTable) -> dict[str, npt.NDArray[Any]]:
+    """The columns of a table of numbers by their names."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    columns = (table.GetColumn(i) for i in range(table.GetNumberOfColumns()))
+    return {column.GetName(): vtk_to_numpy(column) for column in columns}
 
 
 @dataclass(frozen=True, repr=False)
@@ -46,6 +55,12 @@ class Segmentation(Faces, Correctable):
 
     constraints: tuple[Constraint, ...] = ()
     """The points that the surface obeys, and further seeds."""
+
+    questions: tuple[Question, ...] = ()
+    """Parts of which the segmentation is not sure, those first where an answer is worth most.
+
+    There are at most five; answered() answers them. A vessel has none.
+    """
 
     _again: Any = field(default=None, compare=False)
 
@@ -91,12 +106,7 @@ class Segmentation(Faces, Correctable):
     @property
     def iterations(self) -> dict[str, npt.NDArray[Any]]:
         """The columns of the convergence table: Iteration, MeanDistance and so on."""
-        from vtkmodules.util.numpy_support import vtk_to_numpy
-
-        columns = (
-            self.convergence.GetColumn(i) for i in range(self.convergence.GetNumberOfColumns())
-        )
-        return {column.GetName(): vtk_to_numpy(column) for column in columns}
+        return columns_of(self.convergence)
 
     def __repr__(self) -> str:
         return (

@@ -48,21 +48,7 @@ nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field
 
 nb::dict ColumnsOf(const std::vector<IterationRecord>& records)
 {
-  nb::dict columns;
-  for (const ConvergenceColumn& column : ConvergenceColumns())
-  {
-    const auto read = [&](auto zero)
-    {
-      std::vector<decltype(zero)> values;
-      for (const IterationRecord& record : records)
-      {
-        values.push_back(static_cast<decltype(zero)>(column.Read(record)));
-      }
-      return ArrayOf<decltype(zero)>(std::move(values), { records.size() });
-    };
-    columns[column.Name] = column.IsCount ? read(int()) : read(double());
-  }
-  return columns;
+  return ColumnsOf(ConvergenceColumns(), records);
 }
 
 nb::object LabelsOf(const std::vector<VoxelRun>& runs, int label, const ImageGeometry& geometry)

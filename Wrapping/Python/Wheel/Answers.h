@@ -10,6 +10,7 @@
 #include "Deformation/VolumeSegmentation.h"
 #include "Image/LabelValues.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "TableColumn.h"
 
 #include <string>
 #include <tuple>
@@ -33,7 +34,29 @@ LabelVolume LabelVolumeOf(const LabelMap& labels, const std::string& name);
 /// A surface: points, corners, offsets, displacements, correspondence.
 nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field);
 
-/// The columns of the convergence table by their names.
+/// The columns of a table by their names.
+template <typename Record>
+nb::dict ColumnsOf(const std::vector<TableColumn<Record>>& columns,
+  const std::vector<Record>& records)
+{
+  nb::dict table;
+  for (const TableColumn<Record>& column : columns)
+  {
+    const auto read = [&](auto zero)
+    {
+      std::vector<decltype(zero)> values;
+      for (const Record& record : records)
+      {
+        values.push_back(static_cast<decltype(zero)>(column.Read(record)));
+      }
+      return ArrayOf<decltype(zero)>(std::move(values), { records.size() });
+    };
+    table[column.Name] = column.IsCount ? read(int()) : read(double());
+  }
+  return table;
+}
+
+/// The convergence table.
 nb::dict ColumnsOf(const std::vector<IterationRecord>& records);
 
 /// The label map: an array [k, j, i].

@@ -131,6 +131,7 @@ nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple&
   answer["self_intersections"] = organ.SelfIntersections;
   answer["iterations"] = ColumnsOf(organ.Iterations);
   answer["warnings"] = result.Warnings;
+  answer["questions"] = ColumnsOf(QuestionColumns(), result.Questions);
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
   answer["history"] = HistoryList(history);
   answer["surface"] = ResultDict(result, found.Provenance);
@@ -183,6 +184,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
     entry["self_intersections"] = organ.SelfIntersections;
     entry["iterations"] = ColumnsOf(organ.Iterations);
     entry["warnings"] = result.Warnings;
+    entry["questions"] = ColumnsOf(QuestionColumns(), result.Questions);
     entry["surface"] = ResultDict(result, found.Provenance);
     runs.push_back(std::move(result.Voxels));
     list.append(entry);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -14,6 +14,8 @@ from ._types import ProgressOption
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+    from ._questions import Question
 
 Method = TypeVar("Method", bound=Callable[..., Any])
 
@@ -57,6 +59,30 @@ def constraints_of(
     return tuple(constraints)
 
 
+def answers_of(
+    questions: Sequence[Question], answers: Mapping[int, bool]
+) -> tuple[Constraint, ...]:
+    """The points that answer questions; TypeError or ValueError names the answer that is wrong."""
+    if not isinstance(answers, Mapping):
+        raise TypeError(
+            "answers: a dict is needed, such as {0: True} for the first question, "
+            f"not {answers!r:.80}"
+        )
+    for number, answer in answers.items():
+        if number not in range(len(questions)):
+            raise ValueError(
+                f"answers: there is no question {number!r}; there are {len(questions)}"
+            )
+        if answer not in (True, False):
+            raise TypeError(
+                f"answers: question {number} is answered by True or False, not {answer!r:.80}"
+            )
+    return tuple(
+        Constraint(INSIDE if answer else OUTSIDE, questions[number].place)
+        for number, answer in answers.items()
+    )
+
+
 def _suggesting(method: Method) -> Method:
     """A method whose error about a wrong keyword says which one was meant."""
     known = [name for name in inspect.signature(method).parameters if name != "self"]
@@ -78,6 +104,7 @@ class Correctable:
     """A result that can be corrected by points."""
 
     constraints: tuple[Constraint, ...]
+    questions: tuple[Question, ...]
     _again: Callable[[tuple[Constraint, ...], ProgressOption], Any] | None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -105,12 +132,30 @@ class Correctable:
         >>> len(smaller.constraints), smaller.self_intersections
         (1, 0)
         """
+        return self._with(constraints_of(inside, outside, boundary, seeds), progress)
+
+    def answered(self, answers: Mapping[int, bool], progress: ProgressOption = None) -> Self:
+        """The segmentation with answers to some of its questions, by their numbers, from 0 on.
+
+        True, it is a part of the organ, is an inside point at the question's place, and False an
+        outside point. What is answered is not asked again. This result stays as it is.
+
+        >>> import flipfree
+        >>> abdomen = flipfree.phantom("abdomen").image
+        >>> liver = flipfree.segment(abdomen, seed=(99.75, 83.75, 167), radius=28)
+        >>> liver.answered({9: True})
+        Traceback (most recent call last):
+          ...
+        ValueError: answers: there is no question 9; there are ...
+        """
+        return self._with(answers_of(self.questions, answers), progress)
+
+    def _with(self, more: tuple[Constraint, ...], progress: ProgressOption) -> Self:
         if self._again is None:
             raise FlipFreeError(
                 "corrected: only what segment() or trace() has returned can be corrected, not a copy of it; "
                 "of several organs, call segment_organs() again with the points"
             )
-        more = constraints_of(inside, outside, boundary, seeds)
         result: Self = self._again(self.constraints + more, progress)
         return result
 

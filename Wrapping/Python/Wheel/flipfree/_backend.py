@@ -12,6 +12,7 @@ from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
 from ._parameters import names_of, snake_case
+from ._questions import questions_of
 from ._run import run
 from ._segmentation import Segmentation, Surface, Vessel
 from ._settings import settings_of
@@ -35,6 +36,8 @@ NAMES = {
     "SeedCenter": "seed",
     "SeedRadius": "radius",
     "StartLabel": "start_label",
+    "AddInsidePoint": "inside",
+    "AddOutsidePoint": "outside",
 }
 # A history is of one organ.
 GROUP_PARAMETERS = {
@@ -144,6 +147,7 @@ class SegmentationAlgorithm:
         return Segmentation(
             **_found(answer, certified),
             label_map=_labels_of(answer, image),
+            questions=questions_of(answer["questions"]),
             history=tuple(
                 Surface(**surface, certified=certified) for surface in answer["history"]
             ),
@@ -193,7 +197,10 @@ class GroupAlgorithm:
                 warn(f"'{name}': {with_names(text, NAMES)}")
             organs.append(
                 Segmentation(
-                    **_found(organ, certified=True), label_map=label_map, constraints=constraints
+                    **_found(organ, certified=True),
+                    label_map=label_map,
+                    constraints=constraints,
+                    questions=questions_of(organ["questions"]),
                 )
             )
         return organs, label_map

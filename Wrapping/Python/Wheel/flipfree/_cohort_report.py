@@ -75,6 +75,8 @@ def _facts(row: dict[str, Any]) -> dict[str, str]:
     facts = {}
     if row["confidence"] is not None:  # vessels have none
         facts["confidence"] = confidence_text(row["confidence"])
+    if row["first_question"]:
+        facts["questions"] = f"{row['questions']}, the first at {row['first_question']} mm"
     if row["dice"] is not None:
         facts["Dice"] = f"{row['dice']:.3f}"
         facts["distance"] = f"{row['asd_mm']:.2f} mm in the mean, 95 % within {row['hd95_mm']:.1f} mm"

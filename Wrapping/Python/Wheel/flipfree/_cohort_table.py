@@ -38,6 +38,8 @@ RESULTS: dict[str, type] = {
     "status": str,
     "message": str,
     "confidence": float,
+    "questions": int,
+    "first_question": str,
     "segmented_ml": float,
     "iterations": int,
     "stop_reason": str,

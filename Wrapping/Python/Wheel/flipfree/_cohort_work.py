@@ -109,6 +109,8 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     values: dict[str, Any] = {
         # Which is about organs; rounded down as in the warning.
         "confidence": None if row.is_vessel else math.floor(1e4 * organ.confidence) / 1e4,
+        "questions": None if row.is_vessel else len(organ.questions),
+        "first_question": _first_place(organ),
         "segmented_ml": round(organ.volume, 3),
         "iterations": len(organ.iterations["Iteration"]),
         "stop_reason": organ.stop_reason,
@@ -123,6 +125,13 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     _write(row, output, image, organ)
     names = {role: f"rows/{row.name}/{name}" for role, name in outputs_of(row).items()}
     return {**values, **names}
+
+
+def _first_place(organ: Segmentation) -> str | None:
+    """As the columns inside and outside take points."""
+    if not organ.questions:
+        return None
+    return " ".join(f"{x:.6g}" for x in organ.questions[0].place)
 
 
 def _found(row: Row, image: Image) -> Segmentation:

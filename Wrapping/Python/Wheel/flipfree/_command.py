@@ -99,7 +99,8 @@ def _do(entry: Entry, values: dict[str, Any]) -> None:
     names = {destination(option): option["names"] for option in entry["options"]}
     options = {name: next(o for o in spelled if o.startswith("--")) for name, spelled in names.items()}
     run: Callable[[dict[str, Any]], None] = getattr(_commands, entry["name"])
-    token = spelling.set(options)
+    lps = {kind: f"an {kind} point in LPS at" for kind in ("inside", "outside")}
+    token = spelling.set({**options, **(lps if "ras" in values else {})})
     try:
         run(values)
     except (TypeError, ValueError) as error:

@@ -16,6 +16,7 @@ from ._image_files import WRITE_ENDINGS
 from ._messages import listed
 from ._options import WrongUsage
 from ._point_files import ENDINGS as POINT_ENDINGS
+from ._questions import COLUMNS
 from ._segmentation import Segmentation, Vessel
 from ._session_record import OriginNames, named, session_text
 from ._surface_files import ENDINGS, write_centerline, write_surface
@@ -32,7 +33,11 @@ TRACE_OUTPUTS = {
     "save_points": POINT_ENDINGS,
 }
 # Of organs.
-OUTPUTS = {name: endings for name, endings in TRACE_OUTPUTS.items() if name != "centerline"}
+OUTPUTS = {
+    **{name: TRACE_OUTPUTS[name] for name in ("output", "labels", "convergence")},
+    "questions": (".csv",),
+    **{name: TRACE_OUTPUTS[name] for name in ("snapshot", "save_session", "save_points")},
+}
 # Of all organs of a session, one each.
 SHARED = ("labels", "save_session")
 
@@ -131,6 +136,8 @@ def write_output(
         columns = organ.iterations
         rows = zip(*(values.tolist() for values in columns.values()))
         write_table(path, list(columns), [list(row) for row in rows])
+    elif name == "questions":
+        write_table(path, list(COLUMNS), [question.row() for question in organ.questions])
     else:
         from ._picture import write_picture
 

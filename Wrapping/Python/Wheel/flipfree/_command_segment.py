@@ -11,6 +11,7 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
+from ._command_ask import ask, require_answers
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
     input_title,
@@ -28,7 +29,7 @@ from ._command_outputs import (
     write_to,
 )
 from ._command_seed import seeds_in
-from ._corrections import Constraint
+from ._corrections import Constraint, answers_of
 from ._errors import FlipFreeError
 from ._files import read_image, write_image
 from ._image import Image
@@ -47,6 +48,8 @@ def segment(values: dict[str, Any]) -> None:
     """`flipfree segment`."""
     progress = wants_bar(values)
     require_sense_of_corrections(values)
+    if "ask" in values:
+        require_answers(values)
     if {"organ", "fixed"} & values.keys():
         segment_group(values, organs_of(values), {}, None, progress)
         return
@@ -157,7 +160,13 @@ def _segment_one(
     except FlipFreeError as error:
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
+    if "ask" in values:
+        answers = ask(organ.questions)
+        points = [*points, *answers_of(organ.questions, answers)]
+        organ = organ.answered(answers, progress=progress or None) if answers else organ
     for name in OUTPUTS:
+        if name == "questions" and isinstance(organ, Vessel):
+            continue
         if name in values and name == "save_points":
             write_to(files, values[name], lambda path: write_points(path, points))
         elif name in values and name not in SHARED:

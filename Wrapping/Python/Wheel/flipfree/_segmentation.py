@@ -10,6 +10,7 @@ from ._corrections import Constraint, Correctable
 from ._errors import FlipFreeError
 from ._faces import Faces
 from ._image import Image
+from ._questions import Question
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -82,6 +83,12 @@ class Segmentation(Faces, Correctable):
 
     constraints: tuple[Constraint, ...] = ()
     """The points that the surface obeys, and further seeds."""
+
+    questions: tuple[Question, ...] = ()
+    """Parts of which the segmentation is not sure, those first where an answer is worth most.
+
+    There are at most five; answered() answers them. A vessel has none.
+    """
 
     _again: Any = field(default=None, compare=False)
 

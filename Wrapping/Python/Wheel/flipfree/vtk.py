@@ -14,6 +14,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy
+
 from ._extras import missing
 
 try:
@@ -28,6 +30,7 @@ except ModuleNotFoundError as error:
 from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
 from ._errors import FlipFreeError
 from ._foreign import adopted
+from ._questions import COLUMNS
 from ._segmentation import Segmentation
 from ._types import Preset
 from ._vtk_objects import imagedata_of, polydata_of, surface_of_vtk
@@ -41,13 +44,14 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
     """Segments an organ around a seed sphere.
 
     Port 0 takes the image (one number per point), port 1, if wanted, a start surface. Outputs: the
-    surface (vtkPolyData), the label map (vtkImageData) and the convergence (vtkTable). Every parameter
-    of flipfree.segment is a property: search_distance is SetSearchDistance and GetSearchDistance.
+    surface (vtkPolyData), the label map (vtkImageData), the convergence and the questions
+    (vtkTable). Every parameter of flipfree.segment is a property: search_distance is
+    SetSearchDistance and GetSearchDistance.
     Update() raises flipfree.SegmentationError if there is no segmentation.
     """
 
     def __init__(self) -> None:
-        super().__init__(nInputPorts=2, nOutputPorts=3)
+        super().__init__(nInputPorts=2, nOutputPorts=4)
         self._center = [0.0, 0.0, 0.0]
         self._radius = 10.0
         self._algorithm = SegmentationAlgorithm("default")
@@ -95,6 +99,9 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
     def GetConvergence(self) -> vtkTable:
         return self.GetOutputDataObject(2)
 
+    def GetQuestions(self) -> vtkTable:
+        return self.GetOutputDataObject(3)
+
     def GetStopReasonAsString(self) -> str:
         return self._stop_reason
 
@@ -115,7 +122,7 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return 1
 
     def FillOutputPortInformation(self, port: int, info: Any) -> int:
-        names = ("vtkPolyData", "vtkImageData", "vtkTable")
+        names = ("vtkPolyData", "vtkImageData", "vtkTable", "vtkTable")
         info.Set(vtkDataObject.DATA_TYPE_NAME(), names[port])
         return 1
 
@@ -158,11 +165,10 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         imagedata_of(organ.label_map, labels)
         labels.SetOrigin(data.GetOrigin())
         labels.SetExtent(data.GetExtent())
-        table = vtkTable.GetData(outputs, 2)
-        for name, values in organ.iterations.items():
-            column = numpy_to_vtk(values)
-            column.SetName(name)
-            table.AddColumn(column)
+        _fill(vtkTable.GetData(outputs, 2), organ.iterations)
+        rows = [question.row() for question in organ.questions]
+        columns = numpy.array(rows, float).reshape(-1, len(COLUMNS)).T
+        _fill(vtkTable.GetData(outputs, 3), dict(zip(COLUMNS, columns)))
         return 1
 
     def _run(self, data: vtkImageData, start: vtkPolyData | None) -> Segmentation:
@@ -180,6 +186,13 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self.UpdateProgress(fraction)
         if self.GetAbortExecute():
             raise Aborted
+
+
+def _fill(table: vtkTable, columns: dict[str, Any]) -> None:
+    for name, values in columns.items():
+        column = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+        column.SetName(name)
+        table.AddColumn(column)
 
 
 def _add_property(name: str, keyword: str) -> None:
