@@ -65,7 +65,9 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   inputs.Settings.Modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
   FlipFree::CarvingReport report;
-  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, report);
+  FlipFree::BitMask candidate;
+  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, candidate,
+    report);
 }
 
 // By carving the inside of a surface, or without one by the model, which must show contrast if it

@@ -10,7 +10,8 @@
 // 0.90, 0.95 and 0.97 take. With --locality, also how far each click moves the surface beyond 30
 // mm, or twice its distance from the surface, of the click and of what is connected to the
 // mended place. A click that no surface of one piece can obey is refused with an error, which is
-// printed; the row keeps the scores that it had.
+// printed; the row keeps the scores that it had. An inside point must not remove voxels, nor an
+// outside point add any, but for those along the boundary; clicks that do are printed, too.
 #include "CaseList.h"
 #include "OrganMasks.h"
 #include "Statistics.h"
@@ -276,12 +277,34 @@ void PrintMotion(const std::string& row, const PointConstraint& click, const Mot
     NameOf(click).c_str(), row.c_str(), motion.Mean, motion.Most, motion.Vertices, motion.Voxels);
 }
 
+// How many voxels a click has moved to the other side than its own, deeper than the voxels along
+// the boundary.
+std::size_t CountAgainst(bool inside, const BitMask& before, const BitMask& after)
+{
+  BitMask against = inside ? before : after;
+  against.Remove(inside ? after : before);
+  if (against.Count() == 0)
+  {
+    return 0;
+  }
+  const BitMask& from = inside ? before : after;
+  const VoxelBox box = against.Bounds().Widened({ { 2, 2, 2 } }, WholeBox(from.GetGeometry()));
+  const BitMask part = from.Cropped(box);
+  const std::vector<float> depth = SquaredDistance(part, false, SMPFor, NeverStop);
+  const double voxel = from.GetGeometry().Spacing.maxCoeff();
+  std::size_t count = 0;
+  against.Cropped(box).ForEach(
+    [&](std::size_t offset) { count += depth[offset] > 1.01 * voxel * voxel ? 1 : 0; });
+  return count;
+}
+
 struct Row
 {
   std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
   std::vector<double> Seconds; ///< of each run after a click
   int Disobeyed = 0;
-  int Refused = 0; ///< with an error
+  int Refused = 0;     ///< with an error
+  int NotMonotone = 0; ///< clicks that moved voxels to the other side, off the boundary
 };
 
 // Counts what the surface does not obey, looked at from scratch.
@@ -336,6 +359,17 @@ Row MeasureRow(const Case& row, const Options& options)
     const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
     result.Scores.push_back(DiceOf(found, reference));
     PointConstraint next;
+    if (click > 0)
+    {
+      const std::size_t against =
+        CountAgainst(clicks.back().Kind == ConstraintKind::Inside, formerFound, found);
+      result.NotMonotone += against > 0 ? 1 : 0;
+      if (against > 0)
+      {
+        std::printf("  %s: %s moves %zu voxels the other way\n", row.Name.c_str(),
+          NameOf(clicks.back()).c_str(), against);
+      }
+    }
     if (options.Locality)
     {
       if (click > 0)
@@ -346,8 +380,8 @@ Row MeasureRow(const Case& row, const Options& options)
           MotionBeyond(former.Organ, run.Organ, changed, MendedPlace(changed, last.Point),
             last.Point));
       }
-      formerFound = found;
     }
+    formerFound = found;
     if (options.Details)
     {
       std::printf("  %d: %.3f, %s\n", click, result.Scores.back(),
@@ -430,6 +464,7 @@ int main(int argc, char* argv[])
   std::vector<double> seconds;
   int disobeyed = 0;
   int refused = 0;
+  int notMonotone = 0;
   for (const Case& row : ReadCases(options.Data + "/" + options.Cases))
   {
     if (row.Name.find(options.Only) == std::string::npos)
@@ -441,13 +476,15 @@ int main(int argc, char* argv[])
     seconds.insert(seconds.end(), result.Seconds.begin(), result.Seconds.end());
     disobeyed += result.Disobeyed;
     refused += result.Refused;
+    notMonotone += result.NotMonotone;
   }
   std::puts("Median, 10th percentile and least by number of clicks; clicks to 0.90, 0.95, 0.97");
   for (const auto& [name, rows] : groups)
   {
     PrintGroup(name, rows);
   }
-  std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d\n",
-    seconds.empty() ? 0 : Median(seconds), disobeyed, refused);
+  std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d, moving "
+              "voxels the other way: %d of %zu\n",
+    seconds.empty() ? 0 : Median(seconds), disobeyed, refused, notMonotone, seconds.size());
   return disobeyed == 0 ? 0 : 1;
 }

@@ -19,10 +19,10 @@ namespace
 
 // What a cut costs per mm2 and millimeter of the organ's depth.
 constexpr double Smoothness = 0.1;
-// What a block of a part that a point proposes is worth, per mm3, and what staying is worth.
+// What it is worth, per mm3, that a part changes sides which a point proposes.
 constexpr double WorthOfPart = 0.7;
 
-// A point lies on top of a part that is at most so many times deeper.
+// A point lies on top of a part if it is so deep in it, of the part's depth.
 constexpr double OnTopOfLeak = 0.6;
 constexpr double OnTopOfMissedPart = 0.5;
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
@@ -65,13 +65,12 @@ public:
 
   bool Execute(std::array<BitMask, 2>& changed)
   {
-    const OrganGrayValues organ{
-      StatisticsInBall(this->Known.Image, this->Grid.Voxels, this->Known.Seed), {}
-    };
+    const RobustStatistics ofSeed =
+      StatisticsInBall(this->Known.Image, this->Grid.Voxels, this->Known.Seed);
     for (const PointCorrection& correction : this->Corrections)
     {
       if (correction.Away > 0 &&
-        !(this->ProposeSurroundings(correction, organ.OfSeed) && this->ProposePart(correction)))
+        !(this->ProposeSurroundings(correction, ofSeed) && this->ProposePart(correction)))
       {
         return false;
       }

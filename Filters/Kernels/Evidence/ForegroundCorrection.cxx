@@ -244,11 +244,7 @@ private:
   {
     const ImageGeometry& geometry = this->Foreground.GetGeometry();
     const std::vector<std::size_t> source = VoxelsInSphere(geometry, this->Seed);
-    if (source.empty())
-    {
-      return true;
-    }
-    return KeepConnected(this->Foreground, source, this->Ask) &&
+    return (source.empty() || KeepConnected(this->Foreground, source, this->Ask)) &&
       CutAtNoData(this->Given.Read, this->Seed, this->Parallel, this->Ask, this->Foreground);
   }
 

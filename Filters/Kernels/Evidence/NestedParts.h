@@ -20,8 +20,9 @@ public:
   NestedParts(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
     const std::vector<std::size_t>& seed);
 
-  /// The voxels of the largest part around a voxel that holds neither the seed nor one of `others`;
-  /// empty if there is none. With more others, it can only get smaller.
+  /// The voxels, ascending, of the largest part around a voxel that holds neither the seed nor one
+  /// of `others`, and on top of which the voxel lies: its distance is at least `top` times the
+  /// part's greatest. Empty if there is none.
   std::vector<std::size_t> PartAround(std::size_t voxel, const std::vector<std::size_t>& others,
     double top) const;
 
