@@ -132,7 +132,7 @@ private:
       }
       const Eigen::Vector3d place = this->Grid.CenterOf(block);
       const auto gain = static_cast<float>(worth.Of(this->Smooth[block], place));
-      if (worth.IsCertain(place))
+      if (worth.IsCertain(place) && correction.IsOwn(place))
       {
         gaining.push_back(block);
         this->MakeCertain(block, correction);

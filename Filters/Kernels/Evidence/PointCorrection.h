@@ -33,6 +33,14 @@ struct PointCorrection
       });
   }
 
+  /// Whether a place is so near to the point that none of the other kind can be as near to it.
+  bool IsOwn(const Eigen::Vector3d& place) const
+  {
+    return std::all_of(this->Opposite.begin(), this->Opposite.end(),
+      [&](const Eigen::Vector3d& other)
+      { return (place - this->Point).norm() <= 0.5 * (other - this->Point).norm(); });
+  }
+
   static constexpr double HeldRadius = 20; ///< millimeters
 };
 

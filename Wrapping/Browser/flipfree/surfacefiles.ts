@@ -104,7 +104,7 @@ export function vtpFile(result: Organ | Vessel, names: OriginNames = {}): Blob {
     `<Array type="String" Name="${name}" NumberOfTuples="1" ${append(new TextEncoder().encode(`${value}\0`))}/>`;
   const fields = [number("Certified", Number(certified)), text("Provenance", namedProvenance(provenance, names))];
   const pointData: string[] = [];
-  if ("confidence" in result) {
+  if ("vertexConfidence" in result) {
     fields.push(number("Confidence", result.confidence));
     pointData.push(array("Float32", "Confidence", result.vertexConfidence));
   }

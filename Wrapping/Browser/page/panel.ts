@@ -102,7 +102,7 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
     const isChosen = one === organs.chosen;
     const { result, seed, color, corrections, points } = isChosen ? { ...one, ...changed } : one;
     const ofVessel = points.map((position, at) => ({ kind: String(at + 1), position }));
-    const confidence = result && "confidence" in result ? result.vertexConfidence : null;
+    const confidence = result && "vertexConfidence" in result ? result.vertexConfidence : null;
     return { surface: result?.surface ?? null, confidence, seed, color, isChosen, points: isChosen ? [...corrections, ...ofVessel] : [] };
   });
 }

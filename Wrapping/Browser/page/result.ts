@@ -35,7 +35,7 @@ let visited: { result: Organ | Vessel | null; at: number } = { result: null, at:
 /** Shows one doubtful place after the other, the largest first. */
 export function visitDoubt(): void {
   const { result } = organs.chosen;
-  const places = result && "confidence" in result ? doubtsOf(result).places : [];
+  const places = result && "vertexConfidence" in result ? doubtsOf(result).places : [];
   if (places.length > 0) {
     const at = visited.result === result ? (visited.at + 1) % places.length : 0;
     visited = { result, at };
@@ -60,7 +60,7 @@ function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
     ["Surface", `closed, ${result.selfIntersections} self-intersections`],
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
-  if ("confidence" in result) {
+  if ("vertexConfidence" in result) {
     rows.unshift(["Confidence", confidenceText(organ, result)]);
   }
   if ("branches" in result) {
@@ -80,7 +80,7 @@ export function showResult(organ: OrganState): void {
     text.textContent = value;
     return [term, text];
   });
-  const places = result && "confidence" in result ? doubtsOf(result).places : [];
+  const places = result && "vertexConfidence" in result ? doubtsOf(result).places : [];
   const doubts = element("doubts");
   doubts.hidden = places.length === 0;
   // Beside the confidence.
