@@ -57,9 +57,9 @@ def main(readme, prefix, python, vtk, compiler):
         run(["cmake", "--build", "build"], folder, environment)
         expect("^6144 vertices, a label map of [0-9]+ voxels, 0 self-intersections\n$",
                run(["build/liver"], folder, environment))
-        layer, filters, correction, labels = blocks(text, "### Python", "python")
+        layer, filters, correction, questions, labels = blocks(text, "### Python", "python")
         expect(r"(?m)^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9].*\n(.*\n)*<Segmentation: 6144 vertices, 0 self-inter",
-               run([sys.executable, "-c", f"{layer}\n{correction}\nprint(better)"], folder, environment))
+               run([sys.executable, "-c", f"{layer}\n{correction}\n{questions}\nprint(better)"], folder, environment))
         expect("^at rest 6144\n$", run([sys.executable, "-c", filters], folder, environment))
         expect("<Segmentation: 6144 vertices, 0 self-intersections",
                run([sys.executable, "-c", f"import flipfree\n{labels}\nprint(liver)"], folder, environment))
