@@ -10,6 +10,7 @@
 #include <climits>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <vector>
 
 namespace Command
@@ -61,8 +62,10 @@ void NameLabels(const std::string& file, vtkImageData* labels)
     const std::string name = Unquoted(rest);
     if (label < 0 || label > INT_MAX || name.empty())
     {
-      throw Failure("'" + file + "' has the line '" + line +
-        "', which is not a label and its name. Give lines such as '5,liver'.");
+      std::ostringstream text;
+      text << "'" << file << "' has the line '" << line
+           << "', which is not a label and its name. Give lines such as '5,liver'.";
+      throw Failure(text.str());
     }
     values.push_back(static_cast<double>(label));
     names.push_back(name);

@@ -213,7 +213,7 @@ void Update(const SegmentRequest& request, const OrganFilter& filter)
 std::vector<CorrectionPoint> Ask(const SegmentRequest& request, const OrganFilter& filter)
 {
   auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
-  const std::vector<CorrectionPoint> answers = AskQuestions(organ->GetQuestions());
+  std::vector<CorrectionPoint> answers = AskQuestions(organ->GetQuestions());
   if (!answers.empty())
   {
     AddPoints(answers, organ);

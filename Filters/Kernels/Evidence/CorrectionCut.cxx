@@ -146,7 +146,7 @@ private:
         this->Worth[block] = std::max(this->Worth[block], gain);
       }
     }
-    if (correction.IsInside && !this->LeadsToMask(correction.Point, std::move(gaining)))
+    if (correction.IsInside && !this->LeadsToMask(correction.Point, gaining))
     {
       this->MakeBridge(correction);
     }
