@@ -7,6 +7,7 @@
 #include "LabelSurface/LabelSurfaceParameters.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
+#include "TableAdapter.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -109,42 +110,34 @@ void FillSurfaces(const FlipFree::LabelSurfaces& surfaces, const LabelNames& nam
   }
 }
 
-template <typename Array, typename Get>
-void AddColumn(const std::vector<FlipFree::LabelMeasures>& rows, const char* name, vtkTable* table,
-  const Get& get)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  for (const FlipFree::LabelMeasures& row : rows)
-  {
-    column->InsertNextValue(get(row));
-  }
-  table->AddColumn(column);
-}
-
 void FillTable(const std::vector<FlipFree::LabelMeasures>& rows, const LabelNames& names,
   vtkTable* table)
 {
-  using Row = FlipFree::LabelMeasures;
-  AddColumn<vtkIntArray>(rows, "Label", table, [](const Row& row) { return row.Label; });
-  AddColumn<vtkStringArray>(rows, "Name", table,
-    [&names](const Row& row)
-    {
-      const auto name = names.find(row.Label);
-      return name == names.end() ? std::string() : name->second;
-    });
-  AddColumn<vtkDoubleArray>(rows, "Milliliters", table,
-    [](const Row& row) { return row.Volume / 1000; });
-  AddColumn<vtkIdTypeArray>(rows, "Voxels", table,
-    [](const Row& row) { return static_cast<vtkIdType>(row.Voxels); });
-  AddColumn<vtkDoubleArray>(rows, "VoxelMilliliters", table,
-    [](const Row& row) { return row.VoxelVolume / 1000; });
-  AddColumn<vtkIdTypeArray>(rows, "WrongVoxels", table,
-    [](const Row& row) { return static_cast<vtkIdType>(row.WrongVoxels); });
-  AddColumn<vtkDoubleArray>(rows, "Area", table, [](const Row& row) { return row.Area; });
-  AddColumn<vtkIntArray>(rows, "EulerNumber", table,
-    [](const Row& row) { return row.EulerNumber; });
-  AddColumn<vtkIntArray>(rows, "Triangles", table, [](const Row& row) { return row.Triangles; });
+  using FlipFree::AddColumnOf;
+  using Row = const FlipFree::LabelMeasures&;
+  AddColumnOf<vtkIntArray>(table, { "Label", true, [](Row row) -> double { return row.Label; } },
+    rows);
+  vtkNew<vtkStringArray> column;
+  column->SetName("Name");
+  for (Row row : rows)
+  {
+    const auto name = names.find(row.Label);
+    column->InsertNextValue(name == names.end() ? std::string() : name->second);
+  }
+  table->AddColumn(column);
+  AddColumnOf<vtkDoubleArray>(table,
+    { "Milliliters", false, [](Row row) { return row.Volume / 1000; } }, rows);
+  AddColumnOf<vtkIdTypeArray>(table,
+    { "Voxels", true, [](Row row) { return static_cast<double>(row.Voxels); } }, rows);
+  AddColumnOf<vtkDoubleArray>(table,
+    { "VoxelMilliliters", false, [](Row row) { return row.VoxelVolume / 1000; } }, rows);
+  AddColumnOf<vtkIdTypeArray>(table,
+    { "WrongVoxels", true, [](Row row) { return static_cast<double>(row.WrongVoxels); } }, rows);
+  AddColumnOf<vtkDoubleArray>(table, { "Area", false, [](Row row) { return row.Area; } }, rows);
+  AddColumnOf<vtkIntArray>(table,
+    { "EulerNumber", true, [](Row row) -> double { return row.EulerNumber; } }, rows);
+  AddColumnOf<vtkIntArray>(table,
+    { "Triangles", true, [](Row row) -> double { return row.Triangles; } }, rows);
 }
 
 } // namespace

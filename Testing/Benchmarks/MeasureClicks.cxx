@@ -281,13 +281,13 @@ void PrintMotion(const std::string& row, const PointConstraint& click, const Mot
 // the boundary.
 std::size_t CountAgainst(bool inside, const BitMask& before, const BitMask& after)
 {
-  BitMask against = inside ? before : after;
+  const BitMask& from = inside ? before : after;
+  BitMask against = from;
   against.Remove(inside ? after : before);
   if (against.Count() == 0)
   {
     return 0;
   }
-  const BitMask& from = inside ? before : after;
   const VoxelBox box = against.Bounds().Widened({ { 2, 2, 2 } }, WholeBox(from.GetGeometry()));
   const BitMask part = from.Cropped(box);
   const std::vector<float> depth = SquaredDistance(part, false, SMPFor, NeverStop);

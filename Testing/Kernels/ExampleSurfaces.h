@@ -79,7 +79,6 @@ inline Surface Joined(const Surface& first, const Surface& second)
   return both;
 }
 
-/// Positive where the triangles face outward.
 /// Two blobs, joined by a neck of two quads, faces 0 and 1, that share two opposite corners: cut
 /// along these, both have the same diagonal. Of each blob, two pentagons (2 and 3, 10 and 11) have
 /// a diagonal in common, too. No faces intersect, and each vertex has four neighbors.
@@ -111,6 +110,7 @@ inline PolygonMesh NeckOfTwoFaces()
   return mesh;
 }
 
+/// Positive where the triangles face outward.
 inline double EnclosedVolume(const Surface& surface)
 {
   double volume = 0;

@@ -70,7 +70,7 @@ private:
 
   bool HasNoData(const VoxelTraversal& walk) const
   {
-    if (this->NoData.GetWords().empty() || !walk.IsInside())
+    if (!this->NoData.HasGrid() || !walk.IsInside())
     {
       return false;
     }

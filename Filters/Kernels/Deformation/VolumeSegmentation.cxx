@@ -161,7 +161,7 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
   if (this->Given)
   {
     BitMask mask = this->Given->Cropped(box);
-    if (!this->Smooth->GetNoData().GetWords().empty())
+    if (this->Smooth->GetNoData().HasGrid())
     {
       mask.Remove(this->Smooth->GetNoData());
     }

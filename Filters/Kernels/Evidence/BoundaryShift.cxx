@@ -41,7 +41,7 @@ public:
   {
   }
 
-  // Finds what changes sides, and what the cut has changed already.
+  // Finds what changes sides.
   bool Find(BitMask& changed)
   {
     const bool target = this->Wanted.IsInside;

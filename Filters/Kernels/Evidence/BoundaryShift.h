@@ -19,7 +19,7 @@ constexpr double BoundaryShiftReach = 30;
 /// Finds the voxels within BoundaryShiftReach of the point, on the wrong side, that change: those
 /// no farther from the right side than a part of the point's distance that fades out, that look
 /// like the point, or like what lies between it and the organ (inside), or are as unlike the organ
-/// as it (outside), and that are nearer to the point than to those of the other kind. They are
+/// as it (outside), and that no point of the other kind holds. They are
 /// connected with what lies between the point and its side. The masks are on the grid of the part;
 /// `noise` is the standard deviation before smoothing; the modality is not Automatic. Returns false
 /// if the monitor stopped it.

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -165,34 +167,24 @@ private:
   // Whether blocks, in ascending order, connect a point with the mask.
   bool LeadsToMask(const Eigen::Vector3d& point, const std::vector<std::size_t>& blocks) const
   {
-    const ImageGeometry& grid = this->Grid.Blocks;
     std::vector<bool> isReached(blocks.size(), false);
     std::vector<std::size_t> front{ this->Grid.BlockAt(point) };
-    for (std::size_t next = 0; next < front.size(); ++next)
+    bool leads = false;
+    for (std::size_t next = 0; next < front.size() && !leads; ++next)
     {
-      const std::array<int, 3> index = IndexOf(front[next], grid);
-      for (int side = 0; side < 6; ++side)
-      {
-        std::array<int, 3> beside = index;
-        beside[side / 2] += side % 2 == 0 ? -1 : 1;
-        if (!grid.Contains(beside[0], beside[1], beside[2]))
+      VisitNeighbors(front[next], this->Grid.Blocks,
+        [&](std::size_t other)
         {
-          continue;
-        }
-        const std::size_t other = grid.Offset(beside[0], beside[1], beside[2]);
-        if (this->IsIn[other])
-        {
-          return true;
-        }
-        const auto found = std::lower_bound(blocks.begin(), blocks.end(), other);
-        if (found != blocks.end() && *found == other && !isReached[found - blocks.begin()])
-        {
-          isReached[found - blocks.begin()] = true;
-          front.push_back(other);
-        }
-      }
+          leads = leads || this->IsIn[other] != 0;
+          const auto found = std::lower_bound(blocks.begin(), blocks.end(), other);
+          if (found != blocks.end() && *found == other && !isReached[found - blocks.begin()])
+          {
+            isReached[found - blocks.begin()] = true;
+            front.push_back(other);
+          }
+        });
     }
-    return false;
+    return leads;
   }
 
   // An organ is one piece: the shortest way from an inside point to the mask belongs to it.
@@ -224,16 +216,11 @@ private:
     }
     if (!correction.IsInside)
     {
-      if (!this->Leaks)
+      if (!this->Leaks &&
+        !this->FindParts(this->IsIn, VoxelsAround(this->Grid.Blocks, this->Known.Seed),
+          this->Leaks))
       {
-        const std::vector<float> depth =
-          SquaredDistance(this->IsIn, this->Grid.Blocks, 0, this->Parallel, this->Ask);
-        if (depth.empty())
-        {
-          return false;
-        }
-        this->Leaks.emplace(depth, this->Grid.Blocks,
-          VoxelsAround(this->Grid.Blocks, this->Known.Seed));
+        return false;
       }
       this->Propose(this->Leaks->PartAround(own, {}, OnTopOfLeak), *this->Leaks, correction);
       return true;
@@ -255,7 +242,7 @@ private:
   bool FindMissed()
   {
     std::vector<unsigned char> missed(this->IsIn.size(), 0);
-    if (!this->Known.Candidate.GetWords().empty())
+    if (this->Known.Candidate.HasGrid())
     {
       const std::vector<std::size_t> counts = this->VoxelsPerBlockOf(this->Known.Candidate);
       for (std::size_t block = 0; block < missed.size(); ++block)
@@ -263,27 +250,35 @@ private:
         missed[block] = !this->IsIn[block] && 2 * counts[block] > this->Grid.VoxelsPerBlock();
       }
     }
-    this->MissedDepth = SquaredDistance(missed, this->Grid.Blocks, 0, this->Parallel, this->Ask);
-    if (this->MissedDepth.empty())
+    return this->FindParts(missed, {}, this->Missed);
+  }
+
+  // False if the monitor stopped it.
+  bool FindParts(const std::vector<unsigned char>& inside, const std::vector<std::size_t>& seed,
+    std::optional<NestedParts>& parts) const
+  {
+    std::vector<float> depth =
+      SquaredDistance(inside, this->Grid.Blocks, 0, this->Parallel, this->Ask);
+    if (!depth.empty())
     {
-      return false;
+      parts.emplace(std::move(depth), this->Grid.Blocks, seed);
     }
-    this->Missed.emplace(this->MissedDepth, this->Grid.Blocks, std::vector<std::size_t>());
-    return true;
+    return parts.has_value();
   }
 
   bool OpenMissed(std::vector<std::size_t>& part) const
   {
+    const std::vector<float>& depth = this->Missed->GetSquaredDistances();
     float peak = 0;
     for (const std::size_t block : part)
     {
-      peak = std::max(peak, this->MissedDepth[block]);
+      peak = std::max(peak, depth[block]);
     }
     const double radius = std::min(GreatestOpening, OpeningPart * std::sqrt(peak));
     std::vector<unsigned char> isDeep(this->IsIn.size(), 0);
     for (const std::size_t block : part)
     {
-      isDeep[block] = this->MissedDepth[block] >= radius * radius ? 1 : 0;
+      isDeep[block] = depth[block] >= radius * radius ? 1 : 0;
     }
     const std::vector<float> toDeep =
       SquaredDistance(isDeep, this->Grid.Blocks, 1, this->Parallel, this->Ask);
@@ -384,23 +379,9 @@ private:
   template <typename IsNow>
   bool LosesRim(std::size_t block, const IsNow& isNow) const
   {
-    const ImageGeometry& blocks = this->Grid.Blocks;
-    const std::array<int, 3> index = IndexOf(block, blocks);
     int balance = 0;
-    const VoxelBox around =
-      VoxelBox{ index, { { index[0] + 1, index[1] + 1, index[2] + 1 } } }.Widened({ { 1, 1, 1 } },
-        WholeBox(blocks));
-    for (int k = around.Begin[2]; k < around.End[2]; ++k)
-    {
-      for (int j = around.Begin[1]; j < around.End[1]; ++j)
-      {
-        for (int i = around.Begin[0]; i < around.End[0]; ++i)
-        {
-          const std::size_t other = blocks.Offset(i, j, k);
-          balance += !this->IsIn[other] ? 0 : isNow(other) ? 1 : -1;
-        }
-      }
-    }
+    VisitSurroundings(IndexOf(block, this->Grid.Blocks), this->Grid.Blocks,
+      [&](std::size_t other) { balance += !this->IsIn[other] ? 0 : (isNow(other) ? 1 : -1); });
     return balance < 0;
   }
 
@@ -420,7 +401,6 @@ private:
   std::vector<float> Worth;            // of its changing sides, per mm3
   std::vector<bool> IsCertain;         // that it does
   std::optional<NestedParts> Leaks;
-  std::vector<float> MissedDepth;
   std::optional<NestedParts> Missed;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace FlipFree
 {
@@ -13,13 +14,13 @@ constexpr std::array<double, 5> NeckRatios{ { 0.5, 0.6, 0.7, 0.8, 0.9 } };
 
 } // namespace
 
-NestedParts::NestedParts(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
+NestedParts::NestedParts(std::vector<float> squaredDistances, const ImageGeometry& geometry,
   const std::vector<std::size_t>& seed)
-  : Squared(squaredDistance)
+  : Squared(std::move(squaredDistances))
 {
   for (const double ratio : NeckRatios)
   {
-    this->Levels.push_back(FindDistanceParts(squaredDistance, geometry, seed, ratio));
+    this->Levels.push_back(FindDistanceParts(this->Squared, geometry, seed, ratio));
   }
 }
 

@@ -17,8 +17,10 @@ class NestedParts
 public:
   /// Of the shape with these squared distances from its outside (FindDistanceParts()); `seed` are
   /// voxels that no part holds.
-  NestedParts(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
+  NestedParts(std::vector<float> squaredDistances, const ImageGeometry& geometry,
     const std::vector<std::size_t>& seed);
+
+  const std::vector<float>& GetSquaredDistances() const { return this->Squared; }
 
   /// The voxels, ascending, of the largest part around a voxel that holds neither the seed nor one
   /// of `others`, and on top of which the voxel lies: its distance is at least `top` times the

@@ -36,16 +36,6 @@ void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
   }
 }
 
-bool HasGrid(const BitMask& mask)
-{
-  return !mask.GetWords().empty();
-}
-
-BitMask CroppedIfAny(const BitMask& mask, const VoxelBox& box)
-{
-  return HasGrid(mask) ? mask.Cropped(box) : BitMask();
-}
-
 class OrganCutter
 {
 public:
@@ -149,7 +139,7 @@ private:
   // By the part of its voxels that are unsupported.
   void WeakenUnsupported()
   {
-    if (!HasGrid(this->State.Supported))
+    if (!this->State.Supported.HasGrid())
     {
       return;
     }
@@ -261,7 +251,7 @@ private:
   // Most of its blocks, by their first voxels.
   bool IsKnownToBeOwn(const SeveredPart& part) const
   {
-    return HasGrid(this->State.Own) &&
+    return this->State.Own.HasGrid() &&
       2 *
         std::count_if(part.Blocks.begin(), part.Blocks.end(),
           [this](std::size_t block)
@@ -276,7 +266,7 @@ private:
 
   void RememberOwn(const std::vector<SeveredPart>& parts, const RegionCut& cut)
   {
-    if (!HasGrid(this->State.Own))
+    if (!this->State.Own.HasGrid())
     {
       this->State.Own = BitMask(this->Mask.GetGeometry());
     }
@@ -352,17 +342,9 @@ private:
         return !cut.IsInside(own);
       }
       int balance = 0;
-      for (int z = std::max(0, k - 1); z <= std::min(this->Size[2] - 1, k + 1); ++z)
-      {
-        for (int y = std::max(0, j - 1); y <= std::min(this->Size[1] - 1, j + 1); ++y)
-        {
-          for (int x = std::max(0, i - 1); x <= std::min(this->Size[0] - 1, i + 1); ++x)
-          {
-            const std::size_t block = blocks.Offset(x, y, z);
-            balance += !this->Nodes.IsNode(block) ? 0 : (cut.IsInside(block) ? 1 : -1);
-          }
-        }
-      }
+      VisitSurroundings({ i, j, k }, blocks,
+        [&](std::size_t block)
+        { balance += !this->Nodes.IsNode(block) ? 0 : (cut.IsInside(block) ? 1 : -1); });
       return balance < 0;
     };
     this->Parallel(0, this->Size[2],
@@ -425,8 +407,8 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
   BitMask part = mask.Cropped(box);
   mask = BitMask(); // its memory is needed
   OrganCutState ofPart;
-  ofPart.Supported = CroppedIfAny(state.Supported, box);
-  ofPart.Own = CroppedIfAny(state.Own, box);
+  ofPart.Supported = state.Supported.Cropped(box);
+  ofPart.Own = state.Own.Cropped(box);
   Insert(VoxelsAround(part.GetGeometry(), seed), part);
   const std::vector<std::size_t> source =
     VoxelsAround(part.GetGeometry(), { seed.Center, settings.SourceRadius * seed.Radius });
@@ -440,7 +422,7 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
   }
   mask = BitMask(geometry);
   mask.Insert(part, box.Begin);
-  if (HasGrid(ofPart.Own))
+  if (ofPart.Own.HasGrid())
   {
     state.Own = BitMask(geometry);
     state.Own.Insert(ofPart.Own, box.Begin);

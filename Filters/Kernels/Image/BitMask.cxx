@@ -101,6 +101,10 @@ void BitMask::Insert(const BitMask& part, const std::array<int, 3>& first)
 
 BitMask BitMask::Cropped(const VoxelBox& box) const
 {
+  if (!this->HasGrid())
+  {
+    return {};
+  }
   BitMask part(CropGeometry(this->Geometry, box));
   this->ForEachRun(box.Begin[2], box.End[2],
     [&](int begin, int end, int j, int k)

@@ -31,6 +31,8 @@ public:
   BitMask(const ImageGeometry& geometry, std::vector<Word> words);
 
   const ImageGeometry& GetGeometry() const { return this->Geometry; }
+  /// Not one without voxels, such as that of the default constructor.
+  bool HasGrid() const { return !this->Words.empty(); }
 
   bool operator()(int i, int j, int k) const
   {
@@ -77,7 +79,7 @@ public:
   /// Inserts all voxels of a set on the grid of the part that begins at the voxel `first`.
   void Insert(const BitMask& part, const std::array<int, 3>& first);
 
-  /// The voxels in a box, on the grid of that part.
+  /// The voxels in a box, on the grid of that part; without a grid, none.
   BitMask Cropped(const VoxelBox& box) const;
 
   std::size_t Count() const;

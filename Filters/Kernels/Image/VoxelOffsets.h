@@ -6,6 +6,8 @@
 
 #include "KernelTypes.h"
 
+#include <algorithm>
+
 namespace FlipFree
 {
 
@@ -41,6 +43,25 @@ void VisitNeighbors(std::size_t voxel, const ImageGeometry& geometry, const Visi
     if (index[axis] + 1 < geometry.Dimensions[axis])
     {
       visit(voxel + steps[axis]);
+    }
+  }
+}
+
+/// Calls visit(offset) for a voxel and those on the grid that share a face, an edge or a corner
+/// with it, in ascending order.
+template <typename Visit>
+void VisitSurroundings(const std::array<int, 3>& index, const ImageGeometry& geometry,
+  const Visit& visit)
+{
+  const std::array<int, 3>& size = geometry.Dimensions;
+  for (int k = std::max(0, index[2] - 1); k <= std::min(size[2] - 1, index[2] + 1); ++k)
+  {
+    for (int j = std::max(0, index[1] - 1); j <= std::min(size[1] - 1, index[1] + 1); ++j)
+    {
+      for (int i = std::max(0, index[0] - 1); i <= std::min(size[0] - 1, index[0] + 1); ++i)
+      {
+        visit(geometry.Offset(i, j, k));
+      }
     }
   }
 }

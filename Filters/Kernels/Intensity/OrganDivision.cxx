@@ -240,7 +240,7 @@ void RemoveInVolume(const BitMask& part, const VoxelBox& box, OrganClaim& claim)
 
 bool IsFixed(const OrganClaim& claim)
 {
-  return !claim.Fixed.GetWords().empty();
+  return claim.Fixed.HasGrid();
 }
 
 bool KeepPieceOfSeed(OrganClaim& claim, const Monitor& monitor)
