@@ -64,10 +64,13 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   inputs.Settings = settings;
   inputs.Settings.Modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
-  FlipFree::CarvingReport report;
-  FlipFree::BitMask candidate;
-  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, candidate,
-    report);
+  FlipFree::CarvedForeground carved;
+  if (!FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, carved))
+  {
+    return false;
+  }
+  foreground = std::move(carved.Mask);
+  return true;
 }
 
 // By carving the inside of a surface, or without one by the model, which must show contrast if it

@@ -3,7 +3,7 @@
 // inside if it is missed, outside if it is too much, moved by up to two voxels at random.
 //
 //   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S] [--details]
-//                 [--locality]
+//                 [--questions] [--locality]
 //
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
@@ -11,7 +11,9 @@
 // mm, or twice its distance from the surface, of the click and of what is connected to the
 // mended place. A click that no surface of one piece can obey is refused with an error, which is
 // printed; the row keeps the scores that it had. An inside point must not remove voxels, nor an
-// outside point add any, but for those along the boundary; clicks that do are printed, too.
+// outside point add any, but for those along the boundary; clicks that do are printed, too. With
+// --questions, the truthful answers to the first question of each result take the place of clicks.
+// How often results were wrong about what they ask is printed in any case.
 #include "CaseList.h"
 #include "OrganMasks.h"
 #include "Statistics.h"
@@ -19,6 +21,7 @@
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 
+#include "Deformation/DeformingOrgan.h"
 #include "Deformation/VolumeSegmentation.h"
 #include "Geometry/DistanceQuery.h"
 #include "Geometry/WindingNumber.h"
@@ -35,6 +38,7 @@
 #include <cstdio>
 #include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace FlipFree;
@@ -50,8 +54,9 @@ struct Options
   int Clicks = 5;
   int Seed = 1;
   int Threads = 0;
-  bool Details = false;  ///< a line per click, and what is wrong at the end
-  bool Locality = false; ///< a line per click: what it moves where it should not
+  bool Details = false;   ///< a line per click: the surface, the foreground, what is wrong
+  bool Questions = false; ///< answered in place of clicks
+  bool Locality = false;  ///< a line per click: what it moves where it should not
 };
 
 // The largest part of a mask that is connected by faces, and how many voxels it has.
@@ -173,6 +178,26 @@ bool NextClick(const BitMask& found, const BitMask& reference, std::mt19937& ran
     }
   }
   click.Point = geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+  return true;
+}
+
+bool IsOrgan(const DoubtfulPart& part, const BitMask& reference)
+{
+  const std::array<int, 3> voxel = NearestVoxel(reference.GetGeometry(), part.Place);
+  return reference(voxel[0], voxel[1], voxel[2]);
+}
+
+// The truthful answer to the first question; false if there is none.
+bool NextAnswer(const std::vector<DoubtfulPart>& questions, const BitMask& reference,
+  PointConstraint& click)
+{
+  if (questions.empty())
+  {
+    return false;
+  }
+  click.Point = questions.front().Place;
+  click.Kind =
+    IsOrgan(questions.front(), reference) ? ConstraintKind::Inside : ConstraintKind::Outside;
   return true;
 }
 
@@ -303,7 +328,8 @@ struct Row
   std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
   std::vector<double> Seconds; ///< of each run after a click
   int Disobeyed = 0;
-  int Refused = 0;     ///< with an error
+  int Refused = 0;                            ///< with an error
+  std::vector<std::pair<double, bool>> Asked; ///< at first: the margin, and whether it was wrong
   int NotMonotone = 0; ///< clicks that moved voxels to the other side, off the boundary
 };
 
@@ -358,6 +384,13 @@ Row MeasureRow(const Case& row, const Options& options)
     result.Disobeyed += CountDisobeyed(clicks, run.Organ);
     const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
     result.Scores.push_back(DiceOf(found, reference));
+    if (click == 0)
+    {
+      for (const DoubtfulPart& part : run.Questions)
+      {
+        result.Asked.emplace_back(part.Margin, part.IsIncluded != IsOrgan(part, reference));
+      }
+    }
     PointConstraint next;
     if (click > 0)
     {
@@ -384,10 +417,14 @@ Row MeasureRow(const Case& row, const Options& options)
     formerFound = found;
     if (options.Details)
     {
-      std::printf("  %d: %.3f, %s\n", click, result.Scores.back(),
-        ErrorsOf(found, reference).c_str());
+      BitMask foreground(reference.GetGeometry());
+      foreground.Insert(segmenter.Prepare(clicks).GetOrgan().GetForeground().GetMask(),
+        segmenter.GetBox().Begin);
+      std::printf("  %d: %.3f, the foreground %.3f, %s\n", click, result.Scores.back(),
+        DiceOf(foreground, reference), ErrorsOf(found, reference).c_str());
     }
-    if (!NextClick(found, reference, random, next))
+    if (!(options.Questions ? NextAnswer(run.Questions, reference, next)
+                            : NextClick(found, reference, random, next)))
     {
       break;
     }
@@ -443,6 +480,26 @@ void PrintGroup(const std::string& name, const std::vector<Row>& rows)
     ClicksTo(0.97, rows).c_str());
 }
 
+// How often the result was wrong about what it asks, by the margin.
+void PrintQuestions(const std::vector<std::pair<double, bool>>& asked, int rowsWithout)
+{
+  std::printf("questions: %zu, none in %d rows; decided wrongly:", asked.size(), rowsWithout);
+  const double bounds[] = { -1e9, 0, 2.1, 6, 1e9 };
+  for (int bin = 0; bin < 4; ++bin)
+  {
+    int count = 0;
+    int wrong = 0;
+    for (const auto& [margin, isWrong] : asked)
+    {
+      const bool isIn = bounds[bin] <= margin && margin < bounds[bin + 1];
+      count += isIn ? 1 : 0;
+      wrong += isIn && isWrong ? 1 : 0;
+    }
+    std::printf(bin < 3 ? " %d of %d below %g," : " %d of %d above\n", wrong, count,
+      bounds[bin + 1]);
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -455,6 +512,8 @@ int main(int argc, char* argv[])
   app.add_option("--clicks", options.Clicks, "per row")->capture_default_str();
   app.add_option("--seed", options.Seed, "of the random numbers")->capture_default_str();
   app.add_flag("--details", options.Details, "what is wrong after each click");
+  app.add_flag("--questions", options.Questions,
+    "instead of clicks, truthful answers to the first question of each result");
   app.add_flag("--locality", options.Locality, "what a click moves beyond its domain");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
@@ -465,6 +524,8 @@ int main(int argc, char* argv[])
   int disobeyed = 0;
   int refused = 0;
   int notMonotone = 0;
+  std::vector<std::pair<double, bool>> asked;
+  int rowsWithoutQuestions = 0;
   for (const Case& row : ReadCases(options.Data + "/" + options.Cases))
   {
     if (row.Name.find(options.Only) == std::string::npos)
@@ -477,6 +538,8 @@ int main(int argc, char* argv[])
     disobeyed += result.Disobeyed;
     refused += result.Refused;
     notMonotone += result.NotMonotone;
+    asked.insert(asked.end(), result.Asked.begin(), result.Asked.end());
+    rowsWithoutQuestions += result.Asked.empty() ? 1 : 0;
   }
   std::puts("Median, 10th percentile and least by number of clicks; clicks to 0.90, 0.95, 0.97");
   for (const auto& [name, rows] : groups)
@@ -486,5 +549,6 @@ int main(int argc, char* argv[])
   std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d, moving "
               "voxels the other way: %d of %zu\n",
     seconds.empty() ? 0 : Median(seconds), disobeyed, refused, notMonotone, seconds.size());
+  PrintQuestions(asked, rowsWithoutQuestions);
   return disobeyed == 0 ? 0 : 1;
 }

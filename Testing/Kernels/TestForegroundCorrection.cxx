@@ -68,7 +68,7 @@ struct BallImage
   {
     const ImageView<float> view{ this->Voxels.data(), this->Geometry };
     return { view, ReaderOf(view), [](const VoxelBox&) { return true; }, 2, Modality::CT,
-      this->Candidate };
+      this->Candidate, this->Others };
   }
 
   bool IsAt(const BitMask& mask, double x, double y, double z) const
@@ -80,6 +80,7 @@ struct BallImage
   ImageGeometry Geometry;
   std::vector<float> Voxels;
   BitMask Candidate;
+  std::vector<OtherPart> Others;
 };
 
 } // namespace
@@ -111,6 +112,54 @@ TEST(ForegroundCorrection, MovesTheBoundaryAroundThePoint)
   EXPECT_FALSE(image.IsAt(outside, 25.5, 8, 0));
   EXPECT_TRUE(image.IsAt(outside, 21, 0, 0));
   EXPECT_TRUE(image.IsAt(outside, -27, 0, 0));
+}
+
+// Where neither gray values nor necks tell a part from the rest, another opinion may.
+TEST(ForegroundCorrection, TakesThePartOfAnotherOpinion)
+{
+  BallImage image({ 1, 1, 1 });
+  const BitMask ball = image.Ball(24);
+  const BitMask left = image.BoxBelow(6);
+  BitMask right = ball;
+  right.Remove(left);
+  BitMask rest = ball;
+  rest.Remove(right);
+  const PointConstraint outside{ ConstraintKind::Outside, { 14, 0, 0 }, 0 };
+  const PointConstraint inside{ ConstraintKind::Inside, { 14, 0, 0 }, 0 };
+  const PointConstraint contrary{ ConstraintKind::Inside, { 12, 14, 0 }, 0 };
+  const BitMask withContrary = image.Corrected(ball, { outside, contrary });
+
+  image.Others.push_back({ right, { { 14, 0, 0 }, 1e4, true, 0 } });
+  const BitMask less = image.Corrected(ball, { outside });
+  EXPECT_FALSE(image.IsAt(less, 12, 16, 0));
+  EXPECT_FALSE(image.IsAt(less, 12, -16, 0));
+  EXPECT_FALSE(image.IsAt(less, 12, 0, -16));
+  EXPECT_TRUE(image.IsAt(less, 0, 0, 0));
+  EXPECT_TRUE(image.IsAt(less, -20, 0, 0));
+  EXPECT_EQ(image.Corrected(ball, { outside, contrary }), withContrary);
+
+  image.Others.front().Doubt.IsIncluded = false;
+  const BitMask more = image.Corrected(rest, { inside });
+  EXPECT_TRUE(image.IsAt(more, 12, 16, 0));
+  EXPECT_TRUE(image.IsAt(more, 12, 0, -16));
+}
+
+// A point means the part that the image supports best, not a larger one around it.
+TEST(ForegroundCorrection, TakesTheBestPartOfSeveral)
+{
+  BallImage image({ 1, 1, 1 });
+  const BitMask ball = image.Ball(24);
+  const auto beyond = [&](double x)
+  {
+    BitMask part = ball;
+    part.Remove(image.BoxBelow(x));
+    return part;
+  };
+  image.Others = { { beyond(-10), { { 7, 0, 0 }, 2e4, true, 3 } },
+    { beyond(6), { { 14, 0, 0 }, 1e4, true, 0 } } };
+  const BitMask less = image.Corrected(ball, { { ConstraintKind::Outside, { 14, 0, 0 }, 0 } });
+  EXPECT_FALSE(image.IsAt(less, 12, 16, 0));
+  EXPECT_TRUE(image.IsAt(less, 0, 18, 0));
 }
 
 // A hole elsewhere is none of the point's business.

@@ -62,10 +62,9 @@ struct Organ
   {
     const FloatImage image = this->Image(scale);
     BitMask mask = carved;
-    CarvingReport report;
-    BitMask considered(image.View().Geometry);
+    FurtherOpinions opinions;
     EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, this->Settings,
-      parallelFor, NeverStop, mask, considered, report));
+      parallelFor, NeverStop, mask, opinions));
     return mask;
   }
 };
@@ -232,12 +231,18 @@ TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
   const FloatImage image = organ.Image();
   const BitMask carved = CutOff(organ, 42);
   BitMask mask = carved;
-  CarvingReport report;
-  BitMask considered(image.View().Geometry);
+  FurtherOpinions opinions;
   ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor,
-    NeverStop, mask, considered, report));
-  EXPECT_GT(report.Unanimity, 0.5);
-  EXPECT_LE(report.Unanimity, Dice(carved, mask) + 1e-9);
+    NeverStop, mask, opinions));
+  EXPECT_GT(opinions.Unanimity, 0.5);
+  EXPECT_LE(opinions.Unanimity, Dice(carved, mask) + 1e-9);
+  ASSERT_GE(opinions.Carved.size(), 3U);
+  EXPECT_EQ(opinions.Carved.front(), carved);
+  for (const BitMask& opinion : opinions.Carved)
+  {
+    EXPECT_EQ(opinion.GetGeometry().Dimensions, mask.GetGeometry().Dimensions);
+  }
+  EXPECT_GT(opinions.Considered.Count(), carved.Count());
 }
 
 TEST(OrganConsensus, StartsAnewWhereAllHasLeaked)
@@ -258,10 +263,9 @@ TEST(OrganConsensus, StopsAtOnce)
     int asked = 0;
     const Monitor monitor = [&](double) { return ++asked <= allowed; };
     BitMask mask = carved;
-    CarvingReport report;
-    BitMask considered(image.View().Geometry);
+    FurtherOpinions opinions;
     if (SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor, monitor,
-          mask, considered, report))
+          mask, opinions))
     {
       EXPECT_LE(asked, allowed);
       continue;
@@ -306,10 +310,10 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
       inside.InsertRun(run.Begin, run.End, run.J, run.K);
     }
     BitMask expected;
-    CarvingReport report;
-    BitMask considered(image.View().Geometry);
+    FurtherOpinions opinions;
+    std::vector<DoubtfulPart> doubts;
     ASSERT_TRUE(CarveOrgan(image.View(), inside, &inside, organ.Seed, organ.Noise, Modality::MR,
-      SerialFor, NeverStop, expected, report.Doubts));
+      SerialFor, NeverStop, expected, doubts));
     std::vector<VoxelBox> boxes{ CarvingBox(inside, organ.Seed) };
     const bool doubtful = IsDoubtful(inside, expected);
     EXPECT_EQ(doubtful, radius > 21);
@@ -321,7 +325,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
       {
         boxes.push_back(ConsensusBox(expected, organ.Seed));
         ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, inputs.Settings, SerialFor,
-          NeverStop, expected, considered, report));
+          NeverStop, expected, opinions));
       }
       std::vector<VoxelBox> made;
       inputs.MakeSmooth = [&made](const VoxelBox& box)
@@ -329,13 +333,14 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
         made.push_back(box);
         return true;
       };
-      BitMask found;
-      CarvingReport own;
-      ASSERT_TRUE(CarveForeground(inputs, SerialFor, NeverStop, found, considered, own));
-      EXPECT_EQ(found, expected);
-      EXPECT_EQ(own.Unanimity, report.Unanimity);
-      EXPECT_EQ(own.Doubts.size(), report.Doubts.size());
-      EXPECT_TRUE(made == boxes);
+      CarvedForeground carved;
+      ASSERT_TRUE(CarveForeground(inputs, SerialFor, NeverStop, carved));
+      EXPECT_EQ(carved.Mask, expected);
+      EXPECT_EQ(carved.Report.Unanimity, opinions.Unanimity);
+      EXPECT_EQ(carved.Report.Doubts.size(), doubts.size() + carved.Others.size());
+      std::vector<VoxelBox> withOthers = boxes;
+      withOthers.push_back(OtherPartsBox(expected, organ.Seed));
+      EXPECT_TRUE(made == withOthers);
     }
   }
 }
@@ -381,12 +386,10 @@ TEST(CarvedForeground, StopsAtOnce)
   const FloatImage image = organ.Image();
   const Surface surface = Sphere(16, Center, 25);
   CarvedForegroundInputs inputs = InputsOf(organ, image, surface);
-  const auto stops = [&inputs, &image](const Monitor& monitor)
+  const auto stops = [&inputs](const Monitor& monitor)
   {
-    BitMask found;
-    CarvingReport report;
-    BitMask considered(image.View().Geometry);
-    return !CarveForeground(inputs, SerialFor, monitor, found, considered, report);
+    CarvedForeground carved;
+    return !CarveForeground(inputs, SerialFor, monitor, carved);
   };
   for (int allowed = 0; allowed < 24; allowed += 4)
   {

@@ -106,13 +106,12 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   inputs.Noise = this->Noise;
   inputs.Settings = this->Settings.Feature;
   inputs.Settings.Modality = this->Foreground.GetModality();
-  BitMask carved;
-  if (!CarveForeground(inputs, this->Parallel, monitor, carved, this->Candidate,
-        this->Surface.Carving))
+  if (!CarveForeground(inputs, this->Parallel, monitor, this->Carved))
   {
     return false;
   }
-  this->SettleForeground(std::move(carved));
+  this->Surface.Carving = this->Carved.Report;
+  this->SettleForeground(std::move(this->Carved.Mask));
   return true;
 }
 
@@ -125,7 +124,7 @@ bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const 
   }
   const ForegroundImage image{ this->Foreground.GetImage(), this->Foreground.GetReader(),
     [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); }, this->Noise,
-    this->Foreground.GetModality(), this->Candidate };
+    this->Foreground.GetModality(), this->Carved.Candidate, this->Carved.Others };
   BitMask mask = this->Foreground.TakeMask();
   const bool done =
     FlipFree::CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, mask);

@@ -118,7 +118,7 @@ private:
   GrowingForeground Foreground;
   IntensityModel Model;
   double OrganRadius; // the seed's, until more is known
-  BitMask Candidate;  // of carving
+  CarvedForeground Carved; // without its mask
   bool Settled = false;
 
   // Of the present run.

@@ -1,6 +1,7 @@
 #include "Evidence/BoundarySupport.h"
 
 #include "Image/NoData.h"
+#include "Intensity/GrayValueSimilarity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +175,13 @@ double BoundarySupport(const ImageView<float>& image, const BitMask& mask, doubl
   }
   const Boundary boundary(image, mask);
   return std::max(leastContrast, boundary.ContrastOfMost()) * std::cbrt(boundary.Compactness());
+}
+
+double LeastContrastAround(const ImageView<float>& image, const SeedSphere& seed, double noise)
+{
+  constexpr double least = 0.1; // of the standard deviation
+  return least *
+    std::max(StatisticsInBall({ image, {} }, image.Geometry, seed).StandardDeviation, 0.5 * noise);
 }
 
 } // namespace FlipFree

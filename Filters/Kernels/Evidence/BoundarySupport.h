@@ -7,6 +7,7 @@
 #define FlipFreeBoundarySupport_h
 
 #include "Image/BitMask.h"
+#include "Image/SeedRegion.h"
 
 namespace FlipFree
 {
@@ -16,6 +17,10 @@ namespace FlipFree
 /// `leastContrast` counts in place of anything lower. Zero for a mask without voxels. The mask is
 /// on the grid of the image; what lies beyond the image does not count.
 double BoundarySupport(const ImageView<float>& image, const BitMask& mask, double leastContrast);
+
+/// Less than this does not count as contrast: a tenth of the standard deviation of the gray values
+/// in a seed, or of half of the noise. `noise` is the standard deviation before smoothing.
+double LeastContrastAround(const ImageView<float>& image, const SeedSphere& seed, double noise);
 
 } // namespace FlipFree
 

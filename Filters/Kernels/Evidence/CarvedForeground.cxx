@@ -10,7 +10,7 @@ namespace FlipFree
 {
 
 bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground, BitMask& candidate, CarvingReport& report)
+  const Monitor& monitor, CarvedForeground& carved)
 {
   const ImageView<float>& smooth = inputs.Smooth;
   const SeedSphere& seed = inputs.Seed;
@@ -26,25 +26,44 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   {
     enclosed.InsertRun(run.Begin, run.End, run.J, run.K);
   }
-  candidate = enclosed;
-  report = {};
+  carved = {};
+  carved.Candidate = enclosed;
+  BitMask& mask = carved.Mask;
+  CarvingReport& report = carved.Report;
   if (!AddForeground(smooth, inputs.MakeSmooth, seed, inputs.Noise, settings, {}, parallelFor,
-        PartOf(monitor, 0.1, 0.2), candidate) ||
-    !inputs.MakeSmooth(CarvingBox(candidate, seed)) ||
-    !CarveOrgan(smooth, candidate, &enclosed, seed, inputs.Noise, settings.Modality, parallelFor,
-      PartOf(monitor, 0.2, 0.4), foreground, report.Doubts))
+        PartOf(monitor, 0.1, 0.2), carved.Candidate) ||
+    !inputs.MakeSmooth(CarvingBox(carved.Candidate, seed)) ||
+    !CarveOrgan(smooth, carved.Candidate, &enclosed, seed, inputs.Noise, settings.Modality,
+      parallelFor, PartOf(monitor, 0.2, 0.4), mask, report.Doubts))
   {
     return false;
   }
-  const bool seeks =
-    settings.Consensus && settings.ControlLeaks && IsDoubtful(enclosed, foreground);
+  FurtherOpinions opinions;
+  const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(enclosed, mask);
   const bool done = (!seeks ||
-                      (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
+                      (inputs.MakeSmooth(ConsensusBox(mask, seed)) &&
                         SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor,
-                          PartOf(monitor, 0.4, 0.95), foreground, candidate, report))) &&
+                          PartOf(monitor, 0.4, 0.85), mask, opinions))) &&
     CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
-      PartOf(monitor, 0.95, 1), foreground);
-  return done && CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, foreground);
+      PartOf(monitor, 0.85, 0.9), mask) &&
+    CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, mask);
+  opinions.Carved.insert(opinions.Carved.begin(), carved.Candidate);
+  if (!done || !inputs.MakeSmooth(OtherPartsBox(mask, seed)) ||
+    !FindOtherParts(smooth, seed, inputs.Noise, settings, mask, opinions.Carved, parallelFor,
+      PartOf(monitor, 0.9, 1), carved.Others))
+  {
+    return false;
+  }
+  report.Unanimity = opinions.Unanimity;
+  for (const OtherPart& part : carved.Others)
+  {
+    report.Doubts.push_back(part.Doubt);
+  }
+  if (opinions.Considered.HasGrid())
+  {
+    carved.Candidate.Unite(opinions.Considered);
+  }
+  return true;
 }
 
 } // namespace FlipFree

@@ -2,12 +2,14 @@
  * From a closed surface that has found its organ, more or less, to the organ's foreground: of all
  * that may be the organ (OrganCandidate.h), what is not is carved off (OrganCarving.h), and where
  * that changes much, further opinions are sought (OrganConsensus.h). In CT, the vena cava beside a
- * liver is removed at last (VenaCavaCarving.h).
+ * liver is removed at last (VenaCavaCarving.h). Parts about which opinions differ from what results
+ * are kept for questions and corrections (OtherParts.h).
  */
 #ifndef FlipFreeCarvedForeground_h
 #define FlipFreeCarvedForeground_h
 
 #include "Evidence/OrganCarving.h"
+#include "Evidence/OtherParts.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -26,11 +28,19 @@ struct CarvedForegroundInputs
   OrganFeatureSettings Settings; ///< the modality is not Automatic
 };
 
-/// Carves the foreground from the inside of the surface. The candidate becomes all that was ever
-/// considered. Returns false if the monitor stopped it;
-/// the foreground is then useless.
+/// All masks are on the grid of the image.
+struct CarvedForeground
+{
+  BitMask Mask;
+  BitMask Candidate;             ///< all that was ever considered
+  std::vector<OtherPart> Others; ///< parts about which other opinions disagree with the mask
+  CarvingReport Report;          ///< the doubts about those parts with the others
+};
+
+/// Carves the foreground from the inside of the surface. Returns false if the monitor stopped it;
+/// what is carved is then useless.
 bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground, BitMask& candidate, CarvingReport& report);
+  const Monitor& monitor, CarvedForeground& carved);
 
 } // namespace FlipFree
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -27,6 +28,8 @@ constexpr double WorthOfPart = 0.7;
 // A point lies on top of a part if it is so deep in it, of the part's depth.
 constexpr double OnTopOfLeak = 0.6;
 constexpr double OnTopOfMissedPart = 0.5;
+// A part of another opinion is meant only from where it is asked about.
+constexpr double OnTopOfOther = 0.9;
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
 // sheets may go all around the organ.
 constexpr double OpeningPart = 0.5;
@@ -53,7 +56,7 @@ public:
     , Grid(CorrectionGrid(evidence.Before, evidence.Seed))
     , Similarity(evidence.Noise, evidence.Kind)
     , Smooth(SmoothBlockMeans(evidence.Image, Grid, parallelFor))
-    , Fill(VoxelsPerBlockOf(evidence.Before))
+    , Fill(Grid.CountVoxels(evidence.Before, parallelFor))
     , Worth(Fill.size(), Stays)
     , IsCertain(Fill.size(), false)
   {
@@ -72,7 +75,8 @@ public:
     for (const PointCorrection& correction : this->Corrections)
     {
       if (correction.Away > 0 &&
-        !(this->ProposeSurroundings(correction, ofSeed) && this->ProposePart(correction)))
+        !(this->ProposeSurroundings(correction, ofSeed) && this->ProposePart(correction) &&
+          this->ProposeOtherPart(correction)))
       {
         return false;
       }
@@ -85,14 +89,6 @@ public:
   }
 
 private:
-  std::vector<std::size_t> VoxelsPerBlockOf(const BitMask& mask) const
-  {
-    std::vector<std::size_t> counts(this->Grid.Blocks.NumberOfVoxels(), 0);
-    this->Grid.ForEachRun(mask, this->Parallel,
-      [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
-    return counts;
-  }
-
   bool IsRight(std::size_t block, const PointCorrection& correction) const
   {
     return (this->IsIn[block] != 0) == correction.IsInside;
@@ -238,13 +234,65 @@ private:
     return true;
   }
 
+  // Of the parts of other opinions on top of which the point lies, the one that the image supports
+  // best. Which one that is must not depend on other points.
+  bool ProposeOtherPart(const PointCorrection& correction)
+  {
+    const std::size_t own = this->Grid.BlockAt(correction.Point);
+    std::vector<std::size_t> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const OtherPart& other : this->Known.Others)
+    {
+      if (other.Doubt.IsIncluded == correction.IsInside || other.Doubt.Margin >= least)
+      {
+        continue;
+      }
+      const std::vector<std::size_t> counts = this->Grid.CountVoxels(other.Voxels, this->Parallel);
+      std::vector<unsigned char> isPart(counts.size(), 0);
+      std::vector<std::size_t> part;
+      for (std::size_t block = 0; block < counts.size(); ++block)
+      {
+        if (counts[block] > 0 && !this->IsRight(block, correction))
+        {
+          isPart[block] = 1;
+          part.push_back(block);
+        }
+      }
+      if (!isPart[own])
+      {
+        continue;
+      }
+      const std::vector<float> depth =
+        SquaredDistance(isPart, this->Grid.Blocks, 0, this->Parallel, this->Ask);
+      if (depth.empty())
+      {
+        return false;
+      }
+      const float peak = *std::max_element(depth.begin(), depth.end());
+      if (depth[own] >= OnTopOfOther * OnTopOfOther * peak)
+      {
+        best = std::move(part);
+        least = other.Doubt.Margin;
+      }
+    }
+    const bool isContrary = std::any_of(correction.Opposite.begin(), correction.Opposite.end(),
+      [&](const Eigen::Vector3d& point)
+      { return std::binary_search(best.begin(), best.end(), this->Grid.BlockAt(point)); });
+    if (!isContrary)
+    {
+      this->Gain(best, correction);
+    }
+    return true;
+  }
+
   // The parts of the candidate that are not in the mask.
   bool FindMissed()
   {
     std::vector<unsigned char> missed(this->IsIn.size(), 0);
     if (this->Known.Candidate.HasGrid())
     {
-      const std::vector<std::size_t> counts = this->VoxelsPerBlockOf(this->Known.Candidate);
+      const std::vector<std::size_t> counts =
+        this->Grid.CountVoxels(this->Known.Candidate, this->Parallel);
       for (std::size_t block = 0; block < missed.size(); ++block)
       {
         missed[block] = !this->IsIn[block] && 2 * counts[block] > this->Grid.VoxelsPerBlock();
@@ -309,6 +357,11 @@ private:
         part = std::move(rest);
       }
     }
+    this->Gain(part, correction);
+  }
+
+  void Gain(const std::vector<std::size_t>& part, const PointCorrection& correction)
+  {
     for (const std::size_t block : part)
     {
       if (!correction.IsHeld(this->Grid.CenterOf(block)))

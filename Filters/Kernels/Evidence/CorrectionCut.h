@@ -5,7 +5,8 @@
  * A point is certain about its surroundings. It proposes its side for what looks alike around it
  * (PointWorth.h), and, where it lies on top of a part that necks separate from the rest
  * (NestedParts.h), for all of that part: an outside point in the depth of the mask, an inside point
- * in the depth of what might belong to the organ but is not in the mask. What a point proposes
+ * in the depth of what might belong to the organ but is not in the mask. The same holds for the
+ * parts about which other opinions disagree (OtherParts.h). What a point proposes
  * depends on the mask and the image, and gets less by points of the other kind, never by those of
  * its own. So a further inside point can only add, a further outside point only remove, and their
  * order means nothing: minimum cuts are monotone in their terminals.
@@ -13,6 +14,7 @@
 #ifndef FlipFreeCorrectionCut_h
 #define FlipFreeCorrectionCut_h
 
+#include "Evidence/OtherParts.h"
 #include "Evidence/PointCorrection.h"
 #include "Image/BitMask.h"
 #include "Image/BlockGrid.h"
@@ -28,9 +30,10 @@ namespace FlipFree
 /// What a mask is corrected by; all of it is on the grid of the part.
 struct CorrectionEvidence
 {
-  ImagePart Image;   ///< smoothed
-  BitMask Before;    ///< the mask
-  BitMask Candidate; ///< all that may be the organ; may have no grid
+  ImagePart Image;               ///< smoothed
+  BitMask Before;                ///< the mask
+  BitMask Candidate;             ///< all that may be the organ; may have no grid
+  std::vector<OtherPart> Others; ///< of other opinions
   SeedSphere Seed;
   double Noise;  ///< standard deviation before smoothing
   Modality Kind; ///< not Automatic

@@ -107,8 +107,8 @@ public:
       return false;
     }
     const CorrectionEvidence evidence{ { this->Given.Smooth, this->Box.Begin },
-      this->Foreground.Cropped(this->Box), this->Given.Candidate.Cropped(this->Box), this->Seed,
-      this->Given.Noise, this->Given.Kind };
+      this->Foreground.Cropped(this->Box), this->Given.Candidate.Cropped(this->Box),
+      this->CroppedOthers(), this->Seed, this->Given.Noise, this->Given.Kind };
     std::array<BitMask, 2> changed;
     return CutCorrections(evidence, this->Corrections, this->Parallel, this->Ask, changed) &&
       this->ShiftBoundaries(evidence, changed) && this->Change(evidence.Before, changed) &&
@@ -153,12 +153,19 @@ private:
       box = box.Joined(BoxAround(geometry, correction.Point, correction.Domain));
     }
     const BlockGrid grid = CorrectionGrid(this->Foreground, this->Seed);
-    std::array<int, 3> margin{};
-    for (int axis = 0; axis < 3; ++axis)
+    const std::array<int, 3> margin{ { 2 * grid.Factor[0], 2 * grid.Factor[1],
+      2 * grid.Factor[2] } };
+    return grid.WithWholeBlocks(box.Widened(margin, WholeBox(geometry)));
+  }
+
+  std::vector<OtherPart> CroppedOthers() const
+  {
+    std::vector<OtherPart> others;
+    for (const OtherPart& other : this->Given.Others)
     {
-      margin[axis] = 2 * grid.Factor[axis] + box.Begin[axis] % grid.Factor[axis];
+      others.push_back({ other.Voxels.Cropped(this->Box), other.Doubt });
     }
-    return box.Widened(margin, WholeBox(geometry));
+    return others;
   }
 
   bool ShiftBoundaries(const CorrectionEvidence& evidence, std::array<BitMask, 2>& changed)

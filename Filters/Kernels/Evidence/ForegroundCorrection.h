@@ -10,6 +10,7 @@
 #ifndef FlipFreeForegroundCorrection_h
 #define FlipFreeForegroundCorrection_h
 
+#include "Evidence/OtherParts.h"
 #include "Image/BitMask.h"
 #include "Image/PointConstraint.h"
 #include "Image/SmoothRegion.h"
@@ -22,11 +23,12 @@ namespace FlipFree
 struct ForegroundImage
 {
   ImageView<float> Smooth;
-  VoxelReader Read;         ///< voxels before smoothing
-  ImageMaker Make;          ///< called before smoothed voxels are read
-  double Noise;             ///< standard deviation before smoothing
-  Modality Kind;            ///< not Automatic
-  const BitMask& Candidate; ///< all that may be the organ; may have no grid
+  VoxelReader Read;                     ///< voxels before smoothing
+  ImageMaker Make;                      ///< called before smoothed voxels are read
+  double Noise;                         ///< standard deviation before smoothing
+  Modality Kind;                        ///< not Automatic
+  const BitMask& Candidate;             ///< all that may be the organ; may have no grid
+  const std::vector<OtherPart>& Others; ///< of other opinions
 };
 
 /// Corrects `foreground` and keeps what is connected with the seed. Boundary points do not count

@@ -5,7 +5,6 @@
 #include "Image/BallMorphology.h"
 #include "Intensity/IntensityField.h"
 #include "Intensity/ModelFit.h"
-#include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +35,6 @@ constexpr std::array<double, 2> NarrowMasses{ { 0.8, 0.9 } };
 constexpr double UnanimityWithoutVote = 0.5;
 // By which growth from the seed must be better supported.
 constexpr double SupportMargin = 1.25;
-// In standard deviations of the seed's gray values. Less does not count as contrast.
-constexpr double LeastContrast = 0.1;
 
 double DiceOf(std::size_t inBoth, std::size_t inOne, std::size_t inOther)
 {
@@ -81,7 +78,7 @@ public:
       return std::nullopt;
     }
     BitMask best = std::move(voted).value_or(this->Usual);
-    const double leastContrast = this->LeastContrastOfSeed();
+    const double leastContrast = LeastContrastAround(this->Image.View(), this->Seed, this->Noise);
     double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
     for (const double mass : NarrowMasses)
     {
@@ -100,7 +97,8 @@ public:
     return best;
   }
 
-  BitMask TakeConsidered() { return std::move(this->Considered); }
+  const std::vector<BitMask>& GetOpinions() const { return this->Opinions; }
+  const BitMask& GetConsidered() const { return this->Considered; }
   double GetUnanimity() const { return this->Unanimity; }
 
 private:
@@ -160,6 +158,7 @@ private:
     }
     ++this->Grown;
     this->Considered.Unite(grown);
+    this->Opinions.push_back(carved);
     return carved;
   }
 
@@ -237,17 +236,6 @@ private:
       FitToSeed(this->Image.View(), this->Seed, this->Noise, narrow), 1);
   }
 
-  double LeastContrastOfSeed() const
-  {
-    std::vector<float> values;
-    for (const std::size_t voxel : VoxelsInSphere(this->Image.Geometry, this->Seed))
-    {
-      values.push_back(this->Image.Voxels[voxel]);
-    }
-    return LeastContrast *
-      std::max(RobustStatisticsOf(values).StandardDeviation, 0.5 * this->Noise);
-  }
-
   const ImageView<float> Smooth;
   const SeedSphere& Seed;
   const double Noise;
@@ -260,6 +248,7 @@ private:
   const double Count;
   FloatImage Image;
   BitMask Considered; // by opinions
+  std::vector<BitMask> Opinions;
   double Grown = 0;
   double Unanimity = UnanimityWithoutVote;
 };
@@ -280,7 +269,7 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
 
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& carved, BitMask& candidate, CarvingReport& report)
+  BitMask& carved, FurtherOpinions& opinions)
 {
   const VoxelBox box = ConsensusBox(carved, seed);
   Consensus seeker(smooth, box, seed, noise, settings, parallelFor, monitor, carved);
@@ -289,10 +278,20 @@ bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, doubl
   {
     return false;
   }
-  carved = BitMask(smooth.Geometry);
-  carved.Insert(*consensus, box.Begin);
-  candidate.Insert(seeker.TakeConsidered(), box.Begin);
-  report.Unanimity = seeker.GetUnanimity();
+  const auto onGrid = [&](const BitMask& cropped)
+  {
+    BitMask mask(smooth.Geometry);
+    mask.Insert(cropped, box.Begin);
+    return mask;
+  };
+  opinions.Carved.push_back(std::move(carved));
+  for (const BitMask& opinion : seeker.GetOpinions())
+  {
+    opinions.Carved.push_back(onGrid(opinion));
+  }
+  opinions.Considered = onGrid(seeker.GetConsidered());
+  opinions.Unanimity = seeker.GetUnanimity();
+  carved = onGrid(*consensus);
   return true;
 }
 

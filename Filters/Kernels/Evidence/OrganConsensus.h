@@ -24,17 +24,24 @@ bool IsDoubtful(const BitMask& inside, const BitMask& carved);
 /// seed. The image must have values there.
 VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
 
+/// What further opinions were about; all on the grid of the image.
+struct FurtherOpinions
+{
+  std::vector<BitMask> Carved; ///< the carved foreground as it was, and the opinions
+  BitMask Considered;          ///< what these were carved from
+  double Unanimity = 1; ///< the least Dice score between one of the three opinions and their vote
+};
+
 /// Replaces the carved foreground, on the grid of the image, by the consensus. Opinions of less
 /// than half or more than twice its volume are about another organ, and a foreground that fills
 /// thrice its volume, or twice and goes on beyond ConsensusBox(), has leaked; neither counts, and
 /// with fewer than two opinions, nothing is voted on. `noise` is the standard deviation before
-/// smoothing; the settings' modality is not Automatic. The report's unanimity becomes the least
-/// Dice score between one of the three opinions and their vote, and 1/2 where there was none.
-/// Returns false if the monitor, asked before each pass over the image, stopped it; the foreground
-/// is then as it was.
+/// smoothing; the settings' modality is not Automatic. Where
+/// nothing was voted on, the unanimity is 1/2. Returns false if the monitor, asked before each pass
+/// over the image, stopped it; the foreground is then as it was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& carved, BitMask& candidate, CarvingReport& report);
+  BitMask& carved, FurtherOpinions& opinions);
 
 } // namespace FlipFree
 

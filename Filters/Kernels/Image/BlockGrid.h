@@ -18,19 +18,53 @@ struct BlockGrid
 
   /// Blocks of at most `size` millimeters along each axis, and of a voxel at least.
   BlockGrid(const ImageGeometry& voxels, double size)
+    : BlockGrid(voxels, FactorFor(voxels, size))
+  {
+  }
+
+  BlockGrid(const ImageGeometry& voxels, const std::array<int, 3>& factors)
     : Voxels(voxels)
+    , Factor(factors)
     , Blocks(voxels)
   {
     Eigen::Vector3d center;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int factor = std::max(1, static_cast<int>(size / voxels.Spacing[axis] + 1e-6));
-      this->Factor[axis] = factor;
+      const int factor = factors[axis];
       this->Blocks.Dimensions[axis] = (voxels.Dimensions[axis] + factor - 1) / factor;
       this->Blocks.Spacing[axis] = factor * voxels.Spacing[axis];
       center[axis] = 0.5 * (factor - 1);
     }
     this->Blocks.Origin = voxels.ToPhysical(center);
+  }
+
+  static std::array<int, 3> FactorFor(const ImageGeometry& voxels, double size)
+  {
+    std::array<int, 3> factor{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      factor[axis] = std::max(1, static_cast<int>(size / voxels.Spacing[axis] + 1e-6));
+    }
+    return factor;
+  }
+
+  /// A box of voxels, which then begins with a block.
+  VoxelBox WithWholeBlocks(VoxelBox box) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Begin[axis] -= box.Begin[axis] % this->Factor[axis];
+    }
+    return box;
+  }
+
+  /// How many voxels of a mask each block holds.
+  std::vector<std::size_t> CountVoxels(const BitMask& mask, const ParallelFor& parallelFor) const
+  {
+    std::vector<std::size_t> counts(this->Blocks.NumberOfVoxels(), 0);
+    this->ForEachRun(mask, parallelFor,
+      [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
+    return counts;
   }
 
   /// Calls visit(block, begin, end, j, k) for the runs of the mask's voxels in each block, in

@@ -1,0 +1,43 @@
+/**
+ * The parts about which other opinions of an organ disagree with its foreground. As a whole, a mask
+ * that is found in another way, such as by a narrower interval of gray values, is mostly worse. But
+ * where it differs by a deep part, one of the two is wrong about all of that part. How well the
+ * image supports the boundary with and without the part (BoundarySupport.h) tells how likely that
+ * is. These parts are worth asking about (PartQuestions.h), and are what a point in one of them
+ * means (CorrectionCut.h).
+ */
+#ifndef FlipFreeOtherParts_h
+#define FlipFreeOtherParts_h
+
+#include "Evidence/DoubtfulPart.h"
+#include "Image/BitMask.h"
+#include "Image/SeedRegion.h"
+#include "Intensity/OrganFeature.h"
+
+#include <vector>
+
+namespace FlipFree
+{
+
+struct OtherPart
+{
+  BitMask Voxels; ///< on the grid of the foreground
+  DoubtfulPart Doubt;
+};
+
+/// The part of the image that FindOtherParts() reads.
+VoxelBox OtherPartsBox(const BitMask& foreground, const SeedSphere& seed);
+
+/// Finds the parts by which opinions, on the grid of the foreground and of the image, differ from
+/// it, and further ones, which are grown from the seed on blocks and carved. Parts have at least 1
+/// % of the foreground's volume; the surest are left out. `noise` is the standard deviation before
+/// smoothing; the settings' modality is not Automatic. Returns false if the monitor, asked before
+/// each pass over the image, stopped it.
+bool FindOtherParts(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
+  const OrganFeatureSettings& settings, const BitMask& foreground,
+  const std::vector<BitMask>& opinions, const ParallelFor& parallelFor, const Monitor& monitor,
+  std::vector<OtherPart>& parts);
+
+} // namespace FlipFree
+
+#endif
