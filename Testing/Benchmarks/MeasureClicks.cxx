@@ -3,7 +3,7 @@
 // inside if it is missed, outside if it is too much, moved by up to two voxels at random.
 //
 //   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S] [--details]
-//                 [--questions] [--locality]
+//                 [--questions] [--locality] [--surface-dice]
 //
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
@@ -14,9 +14,14 @@
 // outside point add any, but for those along the boundary; clicks that do are printed, too. With
 // --questions, the truthful answers to the first question of each result take the place of clicks.
 // How often results were wrong about what they ask is printed in any case.
+//
+// The areas under the curves of Dice, and with --surface-dice of the surface Dice at 2 mm, over the
+// clicks without the start are those of the challenge Foundation Models for Interactive 3D
+// Biomedical Image Segmentation (CVPR 2025): by trapezoids, so of five clicks 4 at most.
 #include "CaseList.h"
 #include "OrganMasks.h"
 #include "Statistics.h"
+#include "SurfaceDice.h"
 
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
@@ -56,7 +61,8 @@ struct Options
   int Threads = 0;
   bool Details = false;   ///< a line per click: the surface, the foreground, what is wrong
   bool Questions = false; ///< answered in place of clicks
-  bool Locality = false;  ///< a line per click: what it moves where it should not
+  bool SurfaceDice = false;
+  bool Locality = false; ///< a line per click: what it moves where it should not
 };
 
 // The largest part of a mask that is connected by faces, and how many voxels it has.
@@ -323,10 +329,14 @@ std::size_t CountAgainst(bool inside, const BitMask& before, const BitMask& afte
   return count;
 }
 
+// Millimeters.
+constexpr double SurfaceTolerance = 2;
+
 struct Row
 {
-  std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
-  std::vector<double> Seconds; ///< of each run after a click
+  std::vector<double> Scores;        ///< after 0, 1, 2, ... clicks
+  std::vector<double> SurfaceScores; ///< surface Dice, if asked for
+  std::vector<double> Seconds;       ///< of each run after a click
   int Disobeyed = 0;
   int Refused = 0;                            ///< with an error
   std::vector<std::pair<double, bool>> Asked; ///< at first: the margin, and whether it was wrong
@@ -384,6 +394,10 @@ Row MeasureRow(const Case& row, const Options& options)
     result.Disobeyed += CountDisobeyed(clicks, run.Organ);
     const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
     result.Scores.push_back(DiceOf(found, reference));
+    if (options.SurfaceDice)
+    {
+      result.SurfaceScores.push_back(SurfaceDiceOf(found, reference, SurfaceTolerance));
+    }
     if (click == 0)
     {
       for (const DoubtfulPart& part : run.Questions)
@@ -437,6 +451,10 @@ Row MeasureRow(const Case& row, const Options& options)
     clicks.push_back(next);
   }
   result.Scores.resize(options.Clicks + 1, result.Scores.back());
+  if (options.SurfaceDice)
+  {
+    result.SurfaceScores.resize(options.Clicks + 1, result.SurfaceScores.back());
+  }
   std::printf("| %-26s |", row.Name.c_str());
   for (const double score : result.Scores)
   {
@@ -480,6 +498,24 @@ void PrintGroup(const std::string& name, const std::vector<Row>& rows)
     ClicksTo(0.97, rows).c_str());
 }
 
+// Of the scores after the clicks, without the start; the mean of the rows.
+void PrintCurve(const char* name, const std::vector<const std::vector<double>*>& rows)
+{
+  double area = 0;
+  double last = 0;
+  for (const std::vector<double>* scores : rows)
+  {
+    for (std::size_t click = 2; click < scores->size(); ++click)
+    {
+      area += 0.5 * ((*scores)[click - 1] + (*scores)[click]);
+    }
+    last += scores->back();
+  }
+  const auto count = static_cast<double>(rows.size());
+  std::printf("%s: area under the curve %.3f, at last %.3f, in the mean of %zu rows\n", name,
+    area / count, last / count, rows.size());
+}
+
 // How often the result was wrong about what it asks, by the margin.
 void PrintQuestions(const std::vector<std::pair<double, bool>>& asked, int rowsWithout)
 {
@@ -514,6 +550,7 @@ int main(int argc, char* argv[])
   app.add_flag("--details", options.Details, "what is wrong after each click");
   app.add_flag("--questions", options.Questions,
     "instead of clicks, truthful answers to the first question of each result");
+  app.add_flag("--surface-dice", options.SurfaceDice, "also the surface Dice, at 2 mm");
   app.add_flag("--locality", options.Locality, "what a click moves beyond its domain");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
@@ -545,6 +582,24 @@ int main(int argc, char* argv[])
   for (const auto& [name, rows] : groups)
   {
     PrintGroup(name, rows);
+  }
+  std::vector<const std::vector<double>*> scores;
+  std::vector<const std::vector<double>*> surfaceScores;
+  for (const auto& [name, rows] : groups)
+  {
+    for (const Row& row : rows)
+    {
+      scores.push_back(&row.Scores);
+      surfaceScores.push_back(&row.SurfaceScores);
+    }
+  }
+  if (!scores.empty())
+  {
+    PrintCurve("Dice", scores);
+  }
+  if (options.SurfaceDice && !scores.empty())
+  {
+    PrintCurve("surface Dice at 2 mm", surfaceScores);
   }
   std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d, moving "
               "voxels the other way: %d of %zu\n",

@@ -1,5 +1,6 @@
 /**
- * A part about which the cut (OrganCut.h) decided with little evidence.
+ * A part that might have been decided otherwise: the cut had little evidence (OrganCut.h), or
+ * another opinion disagrees (OtherParts.h).
  */
 #ifndef FlipFreeDoubtfulPart_h
 #define FlipFreeDoubtfulPart_h
@@ -15,6 +16,9 @@ struct DoubtfulPart
   double Volume = 0;                               ///< mm3
   bool IsIncluded = false;                         ///< in the organ
   double Margin = 0; ///< by how much the contrary costs more, per mm3 of it
+
+  /// The contrary is true with the chance 1 / (1 + exp(margin / MarginScale)).
+  static constexpr double MarginScale = 1.75;
 };
 
 } // namespace FlipFree

@@ -33,12 +33,10 @@ constexpr double SameOverlap = 0.5;
 // Masses of the foreground for growth from the seed.
 constexpr std::array<double, 2> CoarseMasses{ { 0.7, 0.85 } };
 
-// The chance that the foreground is wrong about a part is 1 / (1 + exp(margin / MarginScale)),
-// with the margin MarginScale * (SupportOffset - SupportSlope * ln(r)), where r is the support of
-// the boundary with the part changed, in comparison with that of the foreground's. Of 347 parts in
-// the 76 organs of development.csv, wrong were 3 % below a ratio of 0.7, 8 % of those up to 0.85,
-// 26 % up to 1, and 37 % above.
-constexpr double MarginScale = 1.75;
+// The margin is DoubtfulPart::MarginScale * (SupportOffset - SupportSlope * ln(r)), where r is the
+// support of the boundary with the part changed, in comparison with that of the foreground's. Of
+// 347 parts in the 76 organs of development.csv, the foreground was wrong about 3 % below a ratio
+// of 0.7, 8 % up to 0.85, 26 % up to 1, and 37 % above.
 constexpr double SupportOffset = 0.85;
 constexpr double SupportSlope = 4;
 constexpr double GreatestMargin = 6;
@@ -251,7 +249,7 @@ private:
     }
     const double ratio = this->SupportOf(changed) / this->Support;
     const double margin =
-      MarginScale * (SupportOffset - SupportSlope * std::log(std::max(ratio, 1e-6)));
+      DoubtfulPart::MarginScale * (SupportOffset - SupportSlope * std::log(std::max(ratio, 1e-6)));
     if (!(margin <= GreatestMargin))
     {
       return;
