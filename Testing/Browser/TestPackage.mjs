@@ -118,7 +118,9 @@ function lobedBall(brighter) {
 }
 
 test("it asks where it is not sure, and a point answers", async () => {
-  assert.deepEqual(liver.questions, []);
+  assert.equal(liver.questions.length, 1); // the tip of the left lobe, which is missed
+  assert.equal(liver.questions[0].included, false);
+  assert.ok(Math.hypot(...[228, 88.5, 183].map((x, axis) => x - liver.questions[0].place[axis])) < 8);
   const parameters = { resolution: 16 };
   const lobed = { center: [48, 47, 47], radius: 18 };
   const kept = await flipfree.segment(lobedBall(0), lobed, { parameters });

@@ -64,6 +64,25 @@ struct BallImage
     return foreground;
   }
 
+  OtherPart Part(const BitMask& voxels, bool isIncluded, double margin) const
+  {
+    OtherPart part;
+    part.Box = voxels.Bounds();
+    part.Voxels = voxels.Cropped(part.Box);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    voxels.ForEach(
+      [&](std::size_t voxel)
+      {
+        const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
+        sum += this->Geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+      });
+    part.Doubt.Place = sum / static_cast<double>(voxels.Count());
+    part.Doubt.Volume = static_cast<double>(voxels.Count());
+    part.Doubt.IsIncluded = isIncluded;
+    part.Doubt.Margin = margin;
+    return part;
+  }
+
   ForegroundImage Image() const
   {
     const ImageView<float> view{ this->Voxels.data(), this->Geometry };
@@ -129,7 +148,7 @@ TEST(ForegroundCorrection, TakesThePartOfAnotherOpinion)
   const PointConstraint contrary{ ConstraintKind::Inside, { 12, 14, 0 }, 0 };
   const BitMask withContrary = image.Corrected(ball, { outside, contrary });
 
-  image.Others.push_back({ right, { { 14, 0, 0 }, 1e4, true, 0 } });
+  image.Others.push_back(image.Part(right, true, 0));
   const BitMask less = image.Corrected(ball, { outside });
   EXPECT_FALSE(image.IsAt(less, 12, 16, 0));
   EXPECT_FALSE(image.IsAt(less, 12, -16, 0));
@@ -144,8 +163,8 @@ TEST(ForegroundCorrection, TakesThePartOfAnotherOpinion)
   EXPECT_TRUE(image.IsAt(more, 12, 0, -16));
 }
 
-// A point means the part that the image supports best, not a larger one around it.
-TEST(ForegroundCorrection, TakesTheBestPartOfSeveral)
+// Which of two parts does not depend on which one holds the other.
+TEST(ForegroundCorrection, TakesTheMoreDoubtfulPart)
 {
   BallImage image({ 1, 1, 1 });
   const BitMask ball = image.Ball(24);
@@ -155,11 +174,31 @@ TEST(ForegroundCorrection, TakesTheBestPartOfSeveral)
     part.Remove(image.BoxBelow(x));
     return part;
   };
-  image.Others = { { beyond(-10), { { 7, 0, 0 }, 2e4, true, 3 } },
-    { beyond(6), { { 14, 0, 0 }, 1e4, true, 0 } } };
-  const BitMask less = image.Corrected(ball, { { ConstraintKind::Outside, { 14, 0, 0 }, 0 } });
-  EXPECT_FALSE(image.IsAt(less, 12, 16, 0));
-  EXPECT_TRUE(image.IsAt(less, 0, 18, 0));
+  OtherPart large = image.Part(beyond(2), true, 0);
+  OtherPart small = image.Part(beyond(10), true, 0);
+  large.Doubt.Place = { 15, 0, 0 };
+  small.Doubt.Place = { 15, 0, 0 };
+  const ConstraintList outside{ { ConstraintKind::Outside, { 15, 0, 0 }, 0 } };
+  image.Others = { large, small };
+  EXPECT_FALSE(image.IsAt(image.Corrected(ball, outside), 6, 20, 0));
+  image.Others = { small, large };
+  const BitMask less = image.Corrected(ball, outside);
+  EXPECT_TRUE(image.IsAt(less, 6, 20, 0));
+  EXPECT_FALSE(image.IsAt(less, 14, 16, 0));
+}
+
+// Even where its part is no thicker than what the blocks of the cut can tell.
+TEST(ForegroundCorrection, TakesAPartFromItsPlace)
+{
+  BallImage image({ 1, 1, 1 });
+  const BitMask ball = image.Ball(24);
+  BitMask part = ball;
+  part.Remove(image.BoxBelow(18));
+  image.Others = { image.Part(part, true, 0) };
+  image.Others.front().Doubt.Place = { 19, 0, 0 };
+  const BitMask less = image.Corrected(ball, { { ConstraintKind::Outside, { 19, 0, 0 }, 0 } });
+  EXPECT_FALSE(image.IsAt(less, 20, 10, 0));
+  EXPECT_FALSE(image.IsAt(less, 20, -10, 0));
 }
 
 // A hole elsewhere is none of the point's business.
@@ -446,19 +485,38 @@ TEST(ForegroundCorrection, OnePointInALeakTakesTheLeak)
 // order means nothing.
 TEST(ForegroundCorrection, IsMonotoneInItsPoints)
 {
-  const LobesImage image;
+  LobesImage image;
   std::mt19937 random(11);
   const auto between = [&random](double least, double most)
   { return least + (most - least) * static_cast<double>(random() % 1000) / 1000; };
   for (int sequence = 0; sequence < 60; ++sequence)
   {
-    const BitMask found = image.Lobes(-32, between(-10, 32));
+    const double end = between(-10, 32);
+    const BitMask found = image.Lobes(-32, end);
+    image.Others.clear();
+    const auto addPart = [&](double first, double last, bool isIncluded)
+    {
+      const BitMask part = image.Lobes(first, last);
+      if (part.Count() > 0)
+      {
+        image.Others.push_back(image.Part(part, isIncluded, between(0, 3)));
+      }
+    };
+    if (sequence % 2 == 1)
+    {
+      addPart(between(-8, end), end, true);
+      addPart(end, between(end, 32), false);
+      addPart(end, 32, false);
+    }
     ConstraintList points;
     BitMask before = image.Corrected(found, points);
     for (int click = 0; click < 5; ++click)
     {
       const bool inside = random() % 2 == 0;
-      const Eigen::Vector3d place(between(-8, 31), between(-12, 12), between(-12, 12));
+      const bool isPlace = !image.Others.empty() && random() % 3 == 0;
+      const Eigen::Vector3d place = isPlace
+        ? image.Others[random() % image.Others.size()].Doubt.Place
+        : Eigen::Vector3d(between(-8, 31), between(-12, 12), between(-12, 12));
       points.push_back({ inside ? ConstraintKind::Inside : ConstraintKind::Outside, place, 0 });
       const BitMask after = image.Corrected(found, points);
       BitMask wrong = inside ? before : after;

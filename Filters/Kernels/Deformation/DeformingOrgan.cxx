@@ -2,6 +2,7 @@
 
 #include "Evidence/ForegroundCorrection.h"
 #include "Evidence/OrganCarving.h"
+#include "Evidence/OrganConsensus.h"
 #include "Intensity/ModelFit.h"
 #include "Stopwatch.h"
 
@@ -65,6 +66,7 @@ bool DeformingOrgan::FindForegroundOfSeed(const Monitor& monitor)
   }
   this->Model = FitToSeed(this->Foreground.GetImage(), this->Seed, this->Noise,
     this->Settings.Feature.Intensity);
+  this->OfSeed = this->Model;
   if (!this->Foreground.Update(this->Model, monitor))
   {
     return false;
@@ -106,13 +108,32 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   inputs.Noise = this->Noise;
   inputs.Settings = this->Settings.Feature;
   inputs.Settings.Modality = this->Foreground.GetModality();
-  if (!CarveForeground(inputs, this->Parallel, monitor, this->Carved))
+  CarvedForeground carved;
+  if (!CarveForeground(inputs, this->Parallel, PartOf(monitor, 0, 0.8), carved) ||
+    !this->FindOthers(inputs, carved, PartOf(monitor, 0.8, 1)))
   {
     return false;
   }
-  this->Surface.Carving = this->Carved.Report;
-  this->SettleForeground(std::move(this->Carved.Mask));
+  this->Candidate = std::move(carved.Candidate);
+  this->Surface.Carving = std::move(carved.Report);
+  // Of doubts about the same part, the last one counts: first the cut's, then the most doubtful.
+  for (const OtherPart& other : this->Others)
+  {
+    std::vector<DoubtfulPart>& doubts = this->Surface.Carving.Doubts;
+    doubts.insert(doubts.begin(), other.Doubt);
+  }
+  this->SettleForeground(std::move(carved.Mask));
   return true;
+}
+
+bool DeformingOrgan::FindOthers(const CarvedForegroundInputs& inputs,
+  const CarvedForeground& carved, const Monitor& monitor)
+{
+  this->Others.clear();
+  return carved.Opinions.empty() ||
+    (inputs.MakeSmooth(ConsensusBox(carved.Mask, inputs.Seed)) &&
+      FindOtherParts(inputs.Smooth, inputs.Seed, inputs.Noise, inputs.Settings, this->OfSeed,
+        carved.Mask, carved.Opinions, this->Parallel, monitor, this->Others));
 }
 
 bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)
@@ -124,7 +145,7 @@ bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const 
   }
   const ForegroundImage image{ this->Foreground.GetImage(), this->Foreground.GetReader(),
     [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); }, this->Noise,
-    this->Foreground.GetModality(), this->Carved.Candidate, this->Carved.Others };
+    this->Foreground.GetModality(), this->Candidate, this->Others };
   BitMask mask = this->Foreground.TakeMask();
   const bool done =
     FlipFree::CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, mask);

@@ -11,6 +11,7 @@
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
 #include "Deformation/UnchangedPlaces.h"
+#include "Evidence/OtherParts.h"
 #include "Intensity/GrowingForeground.h"
 
 #include <memory>
@@ -99,6 +100,8 @@ public:
   const OrganSurface& GetSurface() const { return this->Surface; }
 
 private:
+  bool FindOthers(const CarvedForegroundInputs& inputs, const CarvedForeground& carved,
+    const Monitor& monitor);
   bool FindForegroundOfSurface(const Monitor& monitor);
   bool SnapsToEdges() const;
   bool IsGrowing() const;
@@ -116,9 +119,11 @@ private:
   const ParallelFor& Parallel;
   const double Voxel; // the greatest spacing
   GrowingForeground Foreground;
-  IntensityModel Model;
-  double OrganRadius; // the seed's, until more is known
-  CarvedForeground Carved; // without its mask
+  IntensityModel OfSeed;
+  IntensityModel Model;          // refitted
+  double OrganRadius;            // the seed's, until more is known
+  BitMask Candidate;             // of carving
+  std::vector<OtherPart> Others; // about which other opinions disagree with what was carved
   bool Settled = false;
 
   // Of the present run.

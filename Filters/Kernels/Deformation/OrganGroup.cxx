@@ -3,6 +3,7 @@
 #include "Deformation/JointDeformation.h"
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
+#include "Geometry/WindingNumber.h"
 #include "Intensity/OrganDivision.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
@@ -350,6 +351,29 @@ void OrganGroup::TakeConstraints(const std::vector<ConstraintList>& constraints)
   this->RequirePointsApart(constraints);
 }
 
+// What lies in another organ is not missed.
+void OrganGroup::DropSettledQuestions(std::vector<VolumeSegmentation>& results) const
+{
+  for (VolumeSegmentation& result : results)
+  {
+    const auto isSettled = [&](const DoubtfulPart& part)
+    {
+      const std::array<int, 3> voxel = NearestVoxel(this->Geometry, part.Place);
+      return !part.IsIncluded &&
+        (std::any_of(results.begin(), results.end(),
+           [&](const VolumeSegmentation& other) { return HasVoxel(other.Voxels, voxel); }) ||
+          std::any_of(this->Fixed.begin(), this->Fixed.end(),
+            [&](const FixedSurface& fixed) {
+              return WindingNumber(fixed.Surface.Points, fixed.Surface.Mesh.Triangles,
+                       part.Place) != 0;
+            }));
+    };
+    result.Questions.erase(
+      std::remove_if(result.Questions.begin(), result.Questions.end(), isSettled),
+      result.Questions.end());
+  }
+}
+
 // The surface of a member, its voxels, and what may be wrong with it; all seconds but those of the
 // deformation, which all members share.
 VolumeSegmentation OrganGroup::Finish(Member& member) const
@@ -405,6 +429,7 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
   if (done)
   {
     this->RequireDisjoint(results);
+    this->DropSettledQuestions(results);
   }
   return results;
 }

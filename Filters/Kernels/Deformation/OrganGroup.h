@@ -67,6 +67,7 @@ private:
   bool Deform(const Monitor& monitor, const GroupObserver& observer);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
   VolumeSegmentation Finish(Member& member) const;
+  void DropSettledQuestions(std::vector<VolumeSegmentation>& results) const;
   void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;
 
   const ImageGeometry Geometry;

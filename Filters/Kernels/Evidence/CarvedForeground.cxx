@@ -40,24 +40,30 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   }
   FurtherOpinions opinions;
   const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(enclosed, mask);
-  const bool done = (!seeks ||
-                      (inputs.MakeSmooth(ConsensusBox(mask, seed)) &&
-                        SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor,
-                          PartOf(monitor, 0.4, 0.85), mask, opinions))) &&
-    CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
-      PartOf(monitor, 0.85, 0.9), mask) &&
-    CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, mask);
-  opinions.Carved.insert(opinions.Carved.begin(), carved.Candidate);
-  if (!done || !inputs.MakeSmooth(OtherPartsBox(mask, seed)) ||
-    !FindOtherParts(smooth, seed, inputs.Noise, settings, mask, opinions.Carved, parallelFor,
-      PartOf(monitor, 0.9, 1), carved.Others))
+  if (seeks &&
+    !(inputs.MakeSmooth(ConsensusBox(mask, seed)) &&
+      SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor, PartOf(monitor, 0.4, 0.95),
+        mask, opinions)))
   {
     return false;
   }
-  report.Unanimity = opinions.Unanimity;
-  for (const OtherPart& part : carved.Others)
+  BitMask removed = mask;
+  if (!CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
+        PartOf(monitor, 0.95, 1), mask) ||
+    !CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, mask))
   {
-    report.Doubts.push_back(part.Doubt);
+    return false;
+  }
+  removed.Remove(mask);
+  report.Unanimity = opinions.Unanimity;
+  if (settings.Consensus && settings.ControlLeaks)
+  {
+    carved.Opinions = std::move(opinions.Carved);
+    carved.Opinions.push_back(carved.Candidate);
+    for (BitMask& opinion : carved.Opinions)
+    {
+      opinion.Remove(removed); // they did not know
+    }
   }
   if (opinions.Considered.HasGrid())
   {

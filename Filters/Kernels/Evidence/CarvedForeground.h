@@ -2,14 +2,12 @@
  * From a closed surface that has found its organ, more or less, to the organ's foreground: of all
  * that may be the organ (OrganCandidate.h), what is not is carved off (OrganCarving.h), and where
  * that changes much, further opinions are sought (OrganConsensus.h). In CT, the vena cava beside a
- * liver is removed at last (VenaCavaCarving.h). Parts about which opinions differ from what results
- * are kept for questions and corrections (OtherParts.h).
+ * liver is removed at last (VenaCavaCarving.h).
  */
 #ifndef FlipFreeCarvedForeground_h
 #define FlipFreeCarvedForeground_h
 
 #include "Evidence/OrganCarving.h"
-#include "Evidence/OtherParts.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -33,8 +31,8 @@ struct CarvedForeground
 {
   BitMask Mask;
   BitMask Candidate;             ///< all that was ever considered
-  std::vector<OtherPart> Others; ///< parts about which other opinions disagree with the mask
-  CarvingReport Report;          ///< the doubts about those parts with the others
+  std::vector<BitMask> Opinions; ///< others about the organ, none without consensus
+  CarvingReport Report;
 };
 
 /// Carves the foreground from the inside of the surface. Returns false if the monitor stopped it;

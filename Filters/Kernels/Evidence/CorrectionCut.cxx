@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,8 +27,6 @@ constexpr double WorthOfPart = 0.7;
 // A point lies on top of a part if it is so deep in it, of the part's depth.
 constexpr double OnTopOfLeak = 0.6;
 constexpr double OnTopOfMissedPart = 0.5;
-// A part of another opinion is meant only from where it is asked about.
-constexpr double OnTopOfOther = 0.9;
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
 // sheets may go all around the organ.
 constexpr double OpeningPart = 0.5;
@@ -74,11 +71,13 @@ public:
       StatisticsInBall(this->Known.Image, this->Grid.Voxels, this->Known.Seed);
     for (const PointCorrection& correction : this->Corrections)
     {
-      if (correction.Away > 0 &&
-        !(this->ProposeSurroundings(correction, ofSeed) && this->ProposePart(correction) &&
-          this->ProposeOtherPart(correction)))
+      if (correction.Away > 0)
       {
-        return false;
+        if (!this->ProposeSurroundings(correction, ofSeed) || !this->ProposePart(correction))
+        {
+          return false;
+        }
+        this->ProposeOtherPart(correction);
       }
     }
     for (BitMask& mask : changed)
@@ -234,55 +233,53 @@ private:
     return true;
   }
 
-  // Of the parts of other opinions on top of which the point lies, the one that the image supports
-  // best. Which one that is must not depend on other points.
-  bool ProposeOtherPart(const PointCorrection& correction)
+  // At the place of parts of other opinions: the most doubtful one. Which one that is must not
+  // depend on other points.
+  void ProposeOtherPart(const PointCorrection& correction)
   {
-    const std::size_t own = this->Grid.BlockAt(correction.Point);
-    std::vector<std::size_t> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const OtherPart& other : this->Known.Others)
+    const double reach = this->Grid.Blocks.Spacing.maxCoeff();
+    const auto isMeant = [&](const OtherPart& other)
     {
-      if (other.Doubt.IsIncluded == correction.IsInside || other.Doubt.Margin >= least)
-      {
-        continue;
-      }
-      const std::vector<std::size_t> counts = this->Grid.CountVoxels(other.Voxels, this->Parallel);
-      std::vector<unsigned char> isPart(counts.size(), 0);
-      std::vector<std::size_t> part;
-      for (std::size_t block = 0; block < counts.size(); ++block)
-      {
-        if (counts[block] > 0 && !this->IsRight(block, correction))
-        {
-          isPart[block] = 1;
-          part.push_back(block);
-        }
-      }
-      if (!isPart[own])
-      {
-        continue;
-      }
-      const std::vector<float> depth =
-        SquaredDistance(isPart, this->Grid.Blocks, 0, this->Parallel, this->Ask);
-      if (depth.empty())
-      {
-        return false;
-      }
-      const float peak = *std::max_element(depth.begin(), depth.end());
-      if (depth[own] >= OnTopOfOther * OnTopOfOther * peak)
-      {
-        best = std::move(part);
-        least = other.Doubt.Margin;
-      }
+      return other.Doubt.IsIncluded != correction.IsInside &&
+        (other.Doubt.Place - correction.Point).norm() <= reach;
+    };
+    const auto other = std::find_if(this->Known.Others.begin(), this->Known.Others.end(), isMeant);
+    if (other == this->Known.Others.end())
+    {
+      return;
     }
+    const std::vector<std::size_t> part = this->BlocksOf(*other, correction);
     const bool isContrary = std::any_of(correction.Opposite.begin(), correction.Opposite.end(),
       [&](const Eigen::Vector3d& point)
-      { return std::binary_search(best.begin(), best.end(), this->Grid.BlockAt(point)); });
+      { return std::binary_search(part.begin(), part.end(), this->Grid.BlockAt(point)); });
     if (!isContrary)
     {
-      this->Gain(best, correction);
+      this->Gain(part, correction);
     }
-    return true;
+  }
+
+  // Those that would change sides, ascending: by half, and around the part's place.
+  std::vector<std::size_t> BlocksOf(const OtherPart& other, const PointCorrection& correction) const
+  {
+    BitMask voxels(this->Grid.Voxels);
+    std::array<int, 3> first{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = other.Box.Begin[axis] - this->Known.Image.First[axis];
+    }
+    voxels.Insert(other.Voxels, first);
+    const std::vector<std::size_t> counts = this->Grid.CountVoxels(voxels, this->Parallel);
+    const std::size_t place = this->Grid.BlockAt(other.Doubt.Place);
+    std::vector<std::size_t> part;
+    for (std::size_t block = 0; block < counts.size(); ++block)
+    {
+      if ((block == place || 2 * counts[block] >= this->Grid.VoxelsPerBlock()) &&
+        !this->IsRight(block, correction))
+      {
+        part.push_back(block);
+      }
+    }
+    return part;
   }
 
   // The parts of the candidate that are not in the mask.
@@ -395,7 +392,6 @@ private:
     {
       return false;
     }
-    const ImageGeometry& blocks = this->Grid.Blocks;
     const auto isNow = [&](std::size_t block)
     { return nodes.IsNode(block) ? cut.IsInside(block) : this->IsIn[block] != 0; };
     for (std::size_t block = 0; block < this->IsIn.size(); ++block)
@@ -405,9 +401,7 @@ private:
                                   : this->IsRim(block) && this->LosesRim(block, isNow);
       if (changes)
       {
-        const std::array<int, 3> index = IndexOf(block, blocks);
-        this->Grid.SetBlock(true, index[0], index[1], index[2],
-          changed[isNode && isNow(block) ? 1 : 0]);
+        this->Grid.SetBlock(true, block, changed[isNode && isNow(block) ? 1 : 0]);
       }
     }
     return true;

@@ -5,8 +5,9 @@
  * A point is certain about its surroundings. It proposes its side for what looks alike around it
  * (PointWorth.h), and, where it lies on top of a part that necks separate from the rest
  * (NestedParts.h), for all of that part: an outside point in the depth of the mask, an inside point
- * in the depth of what might belong to the organ but is not in the mask. The same holds for the
- * parts about which other opinions disagree (OtherParts.h). What a point proposes
+ * in the depth of what might belong to the organ but is not in the mask. Where it
+ * lies at the place of a part about which another opinion disagrees (OtherParts.h), that
+ * part is proposed as a whole, unless a point of the other kind lies in it. What a point proposes
  * depends on the mask and the image, and gets less by points of the other kind, never by those of
  * its own. So a further inside point can only add, a further outside point only remove, and their
  * order means nothing: minimum cuts are monotone in their terminals.
@@ -30,10 +31,10 @@ namespace FlipFree
 /// What a mask is corrected by; all of it is on the grid of the part.
 struct CorrectionEvidence
 {
-  ImagePart Image;               ///< smoothed
-  BitMask Before;                ///< the mask
-  BitMask Candidate;             ///< all that may be the organ; may have no grid
-  std::vector<OtherPart> Others; ///< of other opinions
+  ImagePart Image;                      ///< smoothed
+  BitMask Before;                       ///< the mask
+  BitMask Candidate;                    ///< all that may be the organ; may have no grid
+  const std::vector<OtherPart>& Others; ///< their boxes are in the image, not in the part
   SeedSphere Seed;
   double Noise;  ///< standard deviation before smoothing
   Modality Kind; ///< not Automatic

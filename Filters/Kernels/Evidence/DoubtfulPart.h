@@ -15,7 +15,9 @@ struct DoubtfulPart
   Eigen::Vector3d Place = Eigen::Vector3d::Zero(); ///< where it is deepest, in millimeters
   double Volume = 0;                               ///< mm3
   bool IsIncluded = false;                         ///< in the organ
-  double Margin = 0; ///< by how much the contrary costs more, per mm3 of it
+  /// By how much the contrary costs more, per mm3 of it, or for a part of another opinion how sure
+  /// the foreground is, on the same scale; then negative where the contrary is likelier.
+  double Margin = 0;
 
   /// The contrary is true with the chance 1 / (1 + exp(margin / MarginScale)).
   static constexpr double MarginScale = 1.75;

@@ -27,6 +27,9 @@ constexpr double DomainInAway = 2;
 constexpr double DomainInOrganRadii = 2;
 constexpr double LeastDomainInAway = 1.25;
 
+// How far from the foreground's box missed parts are looked for, in millimeters.
+constexpr double MissedReach = 15;
+
 struct NearestPlace
 {
   double Distance = std::numeric_limits<double>::infinity();
@@ -108,7 +111,7 @@ public:
     }
     const CorrectionEvidence evidence{ { this->Given.Smooth, this->Box.Begin },
       this->Foreground.Cropped(this->Box), this->Given.Candidate.Cropped(this->Box),
-      this->CroppedOthers(), this->Seed, this->Given.Noise, this->Given.Kind };
+      this->Given.Others, this->Seed, this->Given.Noise, this->Given.Kind };
     std::array<BitMask, 2> changed;
     return CutCorrections(evidence, this->Corrections, this->Parallel, this->Ask, changed) &&
       this->ShiftBoundaries(evidence, changed) && this->Change(evidence.Before, changed) &&
@@ -142,30 +145,40 @@ private:
     return opposite;
   }
 
-  // In whole blocks: they must not depend on the points.
-  VoxelBox FindBox() const
+  // With all that points may bring, and in whole blocks: neither may depend on the points.
+  VoxelBox FindBox()
   {
     const ImageGeometry& geometry = this->Foreground.GetGeometry();
     VoxelBox box =
       this->Foreground.Bounds().Joined(BoxAround(geometry, this->Seed.Center, this->Seed.Radius));
+    box = WidenedBy(box, MissedReach, 1, geometry);
+    this->Reach = box;
+    for (const OtherPart& other : this->Given.Others)
+    {
+      box = box.Joined(other.Box);
+    }
     for (const PointCorrection& correction : this->Corrections)
     {
       box = box.Joined(BoxAround(geometry, correction.Point, correction.Domain));
     }
     const BlockGrid grid = CorrectionGrid(this->Foreground, this->Seed);
-    const std::array<int, 3> margin{ { 2 * grid.Factor[0], 2 * grid.Factor[1],
-      2 * grid.Factor[2] } };
-    return grid.WithWholeBlocks(box.Widened(margin, WholeBox(geometry)));
+    std::array<int, 3> margin{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      margin[axis] = 2 * grid.Factor[axis] + box.Begin[axis] % grid.Factor[axis];
+    }
+    return box.Widened(margin, WholeBox(geometry));
   }
 
-  std::vector<OtherPart> CroppedOthers() const
+  BitMask CandidateInReach() const
   {
-    std::vector<OtherPart> others;
-    for (const OtherPart& other : this->Given.Others)
+    if (!this->Given.Candidate.HasGrid())
     {
-      others.push_back({ other.Voxels.Cropped(this->Box), other.Doubt });
+      return {};
     }
-    return others;
+    BitMask within(this->Foreground.GetGeometry());
+    within.Insert(this->Given.Candidate.Cropped(this->Reach), this->Reach.Begin);
+    return within.Cropped(this->Box);
   }
 
   bool ShiftBoundaries(const CorrectionEvidence& evidence, std::array<BitMask, 2>& changed)
@@ -260,7 +273,8 @@ private:
   BitMask& Foreground;
   std::vector<PointCorrection> Corrections; // in one order for the same set
 
-  VoxelBox Box;                                           // what follows is on its grid
+  VoxelBox Reach; // of what is missed; the same for all points
+  VoxelBox Box;   // what follows is on its grid
   std::array<std::vector<std::array<int, 3>>, 2> Certain; // outside, inside
 };
 

@@ -27,18 +27,22 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
 /// What further opinions were about; all on the grid of the image.
 struct FurtherOpinions
 {
-  std::vector<BitMask> Carved; ///< the carved foreground as it was, and the opinions
-  BitMask Considered;          ///< what these were carved from
-  double Unanimity = 1; ///< the least Dice score between one of the three opinions and their vote
+  /// The carved foreground as it was, and all others, also those that do not count: a mask of
+  /// another volume may still be right about a part.
+  std::vector<BitMask> Carved;
+  BitMask Considered; ///< what these were carved from
+  /// The least Dice score between the carved foreground or one of the two that voted with it, and
+  /// the vote.
+  double Unanimity = 1;
 };
 
 /// Replaces the carved foreground, on the grid of the image, by the consensus. Opinions of less
 /// than half or more than twice its volume are about another organ, and a foreground that fills
 /// thrice its volume, or twice and goes on beyond ConsensusBox(), has leaked; neither counts, and
-/// with fewer than two opinions, nothing is voted on. `noise` is the standard deviation before
-/// smoothing; the settings' modality is not Automatic. Where
-/// nothing was voted on, the unanimity is 1/2. Returns false if the monitor, asked before each pass
-/// over the image, stopped it; the foreground is then as it was.
+/// with fewer than two opinions, nothing is voted on, and the unanimity is 1/2. `noise` is the
+/// standard deviation before smoothing; the settings' modality is not Automatic. Returns false if
+/// the monitor, asked before each pass over the image, stopped it; the foreground is then as it
+/// was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   BitMask& carved, FurtherOpinions& opinions);

@@ -280,8 +280,7 @@ private:
       {
         if (cut.IsInside(block))
         {
-          const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
-          this->Grid.SetBlock(true, index[0], index[1], index[2], this->State.Own);
+          this->Grid.SetBlock(true, block, this->State.Own);
         }
       }
     }

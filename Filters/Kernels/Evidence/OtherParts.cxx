@@ -2,17 +2,18 @@
 
 #include "Evidence/BoundarySupport.h"
 #include "Evidence/OrganCarving.h"
+#include "Evidence/OrganConsensus.h"
 #include "Evidence/RegionCut.h"
 #include "Image/BallInside.h"
 #include "Image/BlockNetwork.h"
 #include "Image/DistanceTransform.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
-#include "Intensity/ModelFit.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace FlipFree
@@ -20,14 +21,14 @@ namespace FlipFree
 namespace
 {
 
-// Millimeters around the foreground.
-constexpr double AroundForeground = 30;
 // Of the blocks of a cut (RegionBlockSize): parts are found on larger ones.
 constexpr double BlockScale = 1.6;
 // Of the foreground's volume.
 constexpr double LeastPartVolume = 0.01;
-// What is less deep, in blocks, does not connect a part.
+// What is less deep, in blocks, does not connect a part; it belongs to what it is this many blocks
+// away from.
 constexpr double ConnectingDepth = 1.5;
+constexpr int RimSteps = 2;
 // Two parts are the same if they have this much of their union in common.
 constexpr double SameOverlap = 0.5;
 // Masses of the foreground for growth from the seed.
@@ -39,7 +40,10 @@ constexpr std::array<double, 2> CoarseMasses{ { 0.7, 0.85 } };
 // of 0.7, 8 % up to 0.85, 26 % up to 1, and 37 % above.
 constexpr double SupportOffset = 0.85;
 constexpr double SupportSlope = 4;
+// Beyond it, the parts were too few to say more.
+constexpr double GreatestSupportRatio = 1.2;
 constexpr double GreatestMargin = 6;
+constexpr std::size_t MostParts = 20;
 
 double BlockSizeOf(const BitMask& foreground, const SeedSphere& seed)
 {
@@ -50,15 +54,16 @@ class OtherPartFinder
 {
 public:
   OtherPartFinder(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
-    const OrganFeatureSettings& settings, const BitMask& foreground, const ParallelFor& parallelFor,
-    const Monitor& monitor)
+    const OrganFeatureSettings& settings, const IntensityModel& ofSeed, const BitMask& foreground,
+    const ParallelFor& parallelFor, const Monitor& monitor)
     : Smooth(smooth)
     , Seed(seed)
     , Noise(noise)
     , Settings(settings)
+    , OfSeed(ofSeed)
     , Parallel(parallelFor)
     , Ask(monitor)
-    , Box(OtherPartsBox(foreground, seed))
+    , Box(ConsensusBox(foreground, seed))
     , Grid(CropGeometry(smooth.Geometry, Box), BlockSizeOf(foreground, seed))
     , Means(SmoothBlockMeans({ smooth, Box.Begin }, Grid, parallelFor))
     , Foreground(BlocksOf(foreground))
@@ -69,32 +74,41 @@ public:
 
   bool Execute(const std::vector<BitMask>& opinions, std::vector<OtherPart>& parts)
   {
-    std::vector<BitMask> others;
+    if (!(this->Support > 0))
+    {
+      return true; // nothing to compare with
+    }
+    this->Steps = static_cast<double>(opinions.size() + 2 * CoarseMasses.size());
     for (const BitMask& opinion : opinions)
     {
-      others.push_back(this->BlocksOf(opinion));
-    }
-    for (const double mass : CoarseMasses)
-    {
-      others.emplace_back();
-      if (!this->Grow(mass, others.back()))
+      if (!this->AddParts(this->BlocksOf(opinion)))
       {
         return false;
       }
     }
-    for (const BitMask& other : others)
+    for (const double mass : CoarseMasses)
     {
-      for (const bool isIncluded : { false, true })
+      BitMask grown;
+      if (!this->Grow(mass, grown) || (grown.Count() > 0 && !this->AddParts(grown)))
       {
-        if (!this->AddParts(other, isIncluded))
-        {
-          return false;
-        }
+        return false;
       }
     }
-    for (const Part& part : this->Parts)
+    std::stable_sort(this->Parts.begin(), this->Parts.end(),
+      [](const Part& one, const Part& other) { return one.Doubt.Margin < other.Doubt.Margin; });
+    std::vector<Part> kept;
+    for (Part& part : this->Parts)
     {
-      parts.push_back({ this->VoxelsOf(part.Blocks), part.Doubt });
+      const bool isKnown = std::any_of(kept.begin(), kept.end(),
+        [&](const Part& other) { return IsSame(part, other); });
+      if (!isKnown && kept.size() < MostParts)
+      {
+        kept.push_back(std::move(part));
+      }
+    }
+    for (const Part& part : kept)
+    {
+      parts.push_back(this->VoxelsOf(part));
     }
     return true;
   }
@@ -105,6 +119,20 @@ private:
     std::vector<std::size_t> Blocks; // ascending
     DoubtfulPart Doubt;
   };
+
+  static bool IsSame(const Part& one, const Part& other)
+  {
+    std::vector<std::size_t> both;
+    std::set_intersection(one.Blocks.begin(), one.Blocks.end(), other.Blocks.begin(),
+      other.Blocks.end(), std::back_inserter(both));
+    const std::size_t either = one.Blocks.size() + other.Blocks.size() - both.size();
+    return static_cast<double>(both.size()) >= SameOverlap * static_cast<double>(either);
+  }
+
+  Monitor Proceed() const
+  {
+    return [this](double) { return this->Ask(this->Done / this->Steps); };
+  }
 
   ImageView<float> View() const { return { this->Means.data(), this->Grid.Blocks }; }
 
@@ -125,17 +153,21 @@ private:
     return blocks;
   }
 
-  BitMask VoxelsOf(const std::vector<std::size_t>& blocks) const
+  OtherPart VoxelsOf(const Part& part) const
   {
-    BitMask cropped(this->Grid.Voxels);
-    for (const std::size_t block : blocks)
+    BitMask voxels(this->Grid.Voxels);
+    for (const std::size_t block : part.Blocks)
     {
-      const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
-      this->Grid.SetBlock(true, index[0], index[1], index[2], cropped);
+      this->Grid.SetBlock(true, block, voxels);
     }
-    BitMask voxels(this->Smooth.Geometry);
-    voxels.Insert(cropped, this->Box.Begin);
-    return voxels;
+    const VoxelBox bounds = voxels.Bounds();
+    VoxelBox box = bounds;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Begin[axis] += this->Box.Begin[axis];
+      box.End[axis] += this->Box.Begin[axis];
+    }
+    return { box, voxels.Cropped(bounds), part.Doubt };
   }
 
   double SupportOf(const BitMask& mask) const
@@ -143,62 +175,74 @@ private:
     return BoundarySupport(this->View(), mask, this->LeastContrast);
   }
 
-  bool Grow(double mass, BitMask& carved) const
+  // What is carved is empty where growth finds nothing.
+  bool Grow(double mass, BitMask& carved)
   {
-    IntensitySettings narrow = this->Settings.Intensity;
-    narrow.ForegroundMass = std::min(mass, narrow.ForegroundMass);
+    IntensityModel narrow = this->OfSeed;
+    narrow.Threshold = std::max(narrow.Threshold, narrow.Mixture.ThresholdForMass(mass));
+    const Monitor proceed = this->Proceed();
     BitMask grown;
-    std::vector<DoubtfulPart> doubts; // of another organ than the one that was found
-    return FindForegroundInBox(this->View(), WholeBox(this->Grid.Blocks),
-             FitToSeed(this->Smooth, this->Seed, this->Noise, narrow), this->Seed,
-             RadiiOf(this->Settings.Leaks, this->Seed.Radius, this->Grid.Blocks), this->Parallel,
-             this->Ask, grown) &&
-      CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
-        this->Parallel, this->Ask, carved, doubts);
-  }
-
-  bool AddParts(const BitMask& other, bool isIncluded)
-  {
-    BitMask different = isIncluded ? this->Foreground : other;
-    different.Remove(isIncluded ? other : this->Foreground);
-    const std::vector<float> squared = SquaredDistance(different, false, this->Parallel, this->Ask);
-    if (squared.empty())
+    if (!FindForegroundInBox(this->View(), WholeBox(this->Grid.Blocks), narrow, this->Seed,
+          RadiiOf(this->Settings.Leaks, this->Seed.Radius, this->Grid.Blocks), this->Parallel,
+          proceed, grown))
     {
       return false;
     }
-    for (std::vector<std::size_t>& blocks : this->PiecesOf(squared))
+    ++this->Done;
+    std::vector<DoubtfulPart> doubts; // of another organ than the one that was found
+    return grown.Count() == 0 ||
+      CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
+        this->Parallel, proceed, carved, doubts);
+  }
+
+  bool AddParts(const BitMask& other)
+  {
+    const Monitor proceed = this->Proceed();
+    for (const bool isIncluded : { false, true })
     {
-      if (static_cast<double>(blocks.size()) >=
-          LeastPartVolume * static_cast<double>(this->Foreground.Count()) &&
-        !this->IsKnown(blocks))
+      BitMask different = isIncluded ? this->Foreground : other;
+      different.Remove(isIncluded ? other : this->Foreground);
+      const std::vector<float> squared = SquaredDistance(different, false, this->Parallel, proceed);
+      if (squared.empty())
       {
+        return false;
+      }
+      for (std::vector<std::size_t>& blocks : this->PiecesOf(squared))
+      {
+        if (static_cast<double>(blocks.size()) <
+          LeastPartVolume * static_cast<double>(this->Foreground.Count()))
+        {
+          continue;
+        }
+        if (!proceed(0))
+        {
+          return false;
+        }
         this->Add(std::move(blocks), squared, isIncluded);
       }
     }
+    ++this->Done;
     return true;
   }
 
-  // Connected by what is deep, with what is around it.
+  // Cores are connected by what is deep. Then all of them grow rims together, so that none takes
+  // another's.
   std::vector<std::vector<std::size_t>> PiecesOf(const std::vector<float>& squared) const
   {
     const auto least =
       static_cast<float>(std::pow(ConnectingDepth * this->Grid.Blocks.Spacing.minCoeff(), 2));
     std::vector<bool> isTaken(squared.size(), false);
-    const auto grow =
-      [&](std::size_t first, std::size_t last, float depth, std::vector<std::size_t>& piece)
+    const auto addNeighbors = [&](std::size_t block, bool deep, std::vector<std::size_t>& piece)
     {
-      for (; first < last; ++first)
-      {
-        VisitNeighbors(piece[first], this->Grid.Blocks,
-          [&](std::size_t other)
+      VisitNeighbors(block, this->Grid.Blocks,
+        [&](std::size_t other)
+        {
+          if (!isTaken[other] && squared[other] > 0 && (squared[other] >= least) == deep)
           {
-            if (!isTaken[other] && squared[other] > 0 && squared[other] >= depth)
-            {
-              isTaken[other] = true;
-              piece.push_back(other);
-            }
-          });
-      }
+            isTaken[other] = true;
+            piece.push_back(other);
+          }
+        });
     };
     std::vector<std::vector<std::size_t>> pieces;
     for (std::size_t first = 0; first < squared.size(); ++first)
@@ -208,35 +252,29 @@ private:
         continue;
       }
       isTaken[first] = true;
-      std::vector<std::size_t> piece{ first };
-      for (std::size_t next = 0; next < piece.size(); ++next)
+      pieces.push_back({ first });
+      for (std::size_t next = 0; next < pieces.back().size(); ++next)
       {
-        grow(next, next + 1, least, piece);
+        addNeighbors(pieces.back()[next], true, pieces.back());
       }
-      std::size_t begin = 0;
-      for (int step = 0; step < ConnectingDepth; ++step)
+    }
+    std::vector<std::size_t> begin(pieces.size(), 0);
+    for (int step = 0; step < RimSteps; ++step)
+    {
+      for (std::size_t number = 0; number < pieces.size(); ++number)
       {
-        const std::size_t end = piece.size();
-        grow(begin, end, 0, piece);
-        begin = end;
+        const std::size_t end = pieces[number].size();
+        for (; begin[number] < end; ++begin[number])
+        {
+          addNeighbors(pieces[number][begin[number]], false, pieces[number]);
+        }
       }
+    }
+    for (std::vector<std::size_t>& piece : pieces)
+    {
       std::sort(piece.begin(), piece.end());
-      pieces.push_back(std::move(piece));
     }
     return pieces;
-  }
-
-  bool IsKnown(const std::vector<std::size_t>& blocks) const
-  {
-    return std::any_of(this->Parts.begin(), this->Parts.end(),
-      [&](const Part& part)
-      {
-        std::vector<std::size_t> both;
-        std::set_intersection(blocks.begin(), blocks.end(), part.Blocks.begin(), part.Blocks.end(),
-          std::back_inserter(both));
-        const std::size_t either = blocks.size() + part.Blocks.size() - both.size();
-        return static_cast<double>(both.size()) >= SameOverlap * static_cast<double>(either);
-      });
   }
 
   void Add(std::vector<std::size_t> blocks, const std::vector<float>& squared, bool isIncluded)
@@ -247,10 +285,11 @@ private:
       const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
       changed.SetRun(!isIncluded, index[0], index[0] + 1, index[1], index[2]);
     }
-    const double ratio = this->SupportOf(changed) / this->Support;
+    const double ratio =
+      std::max(1e-6, std::min(GreatestSupportRatio, this->SupportOf(changed) / this->Support));
     const double margin =
-      DoubtfulPart::MarginScale * (SupportOffset - SupportSlope * std::log(std::max(ratio, 1e-6)));
-    if (!(margin <= GreatestMargin))
+      DoubtfulPart::MarginScale * (SupportOffset - SupportSlope * std::log(ratio));
+    if (margin > GreatestMargin)
     {
       return;
     }
@@ -268,6 +307,7 @@ private:
   const SeedSphere& Seed;
   const double Noise;
   const OrganFeatureSettings& Settings;
+  const IntensityModel& OfSeed;
   const ParallelFor& Parallel;
   const Monitor& Ask;
   const VoxelBox Box;
@@ -278,24 +318,19 @@ private:
   const double LeastContrast;
   const double Support;
   std::vector<Part> Parts;
+  double Done = 0;
+  double Steps = 1;
 };
 
 } // namespace
 
-VoxelBox OtherPartsBox(const BitMask& foreground, const SeedSphere& seed)
-{
-  const ImageGeometry& geometry = foreground.GetGeometry();
-  return WidenedBy(foreground.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)),
-    AroundForeground, 1, geometry);
-}
-
 bool FindOtherParts(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
-  const OrganFeatureSettings& settings, const BitMask& foreground,
+  const OrganFeatureSettings& settings, const IntensityModel& ofSeed, const BitMask& foreground,
   const std::vector<BitMask>& opinions, const ParallelFor& parallelFor, const Monitor& monitor,
   std::vector<OtherPart>& parts)
 {
   parts.clear();
-  return OtherPartFinder(smooth, seed, noise, settings, foreground, parallelFor, monitor)
+  return OtherPartFinder(smooth, seed, noise, settings, ofSeed, foreground, parallelFor, monitor)
     .Execute(opinions, parts);
 }
 

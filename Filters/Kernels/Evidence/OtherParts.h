@@ -21,20 +21,20 @@ namespace FlipFree
 
 struct OtherPart
 {
-  BitMask Voxels; ///< on the grid of the foreground
+  VoxelBox Box;   ///< in the grid of the foreground
+  BitMask Voxels; ///< in the box
   DoubtfulPart Doubt;
 };
 
-/// The part of the image that FindOtherParts() reads.
-VoxelBox OtherPartsBox(const BitMask& foreground, const SeedSphere& seed);
-
 /// Finds the parts by which opinions, on the grid of the foreground and of the image, differ from
-/// it, and further ones, which are grown from the seed on blocks and carved. Parts have at least 1
-/// % of the foreground's volume; the surest are left out. `noise` is the standard deviation before
-/// smoothing; the settings' modality is not Automatic. Returns false if the monitor, asked before
-/// each pass over the image, stopped it.
+/// it, and further ones, which are grown from the seed on blocks and carved. An opinion may be
+/// worse than the foreground in all else. Parts have at least 1 % of the foreground's volume; the
+/// surest are left out, and the others sorted, the most doubtful first. Only the voxels in
+/// ConsensusBox() need to have values. `noise` is the standard deviation before smoothing; the
+/// settings' modality is not Automatic; `ofSeed` is the seed's (FitToSeed()). Returns false if the
+/// monitor, asked before each pass over the image, stopped it; there are then no parts.
 bool FindOtherParts(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
-  const OrganFeatureSettings& settings, const BitMask& foreground,
+  const OrganFeatureSettings& settings, const IntensityModel& ofSeed, const BitMask& foreground,
   const std::vector<BitMask>& opinions, const ParallelFor& parallelFor, const Monitor& monitor,
   std::vector<OtherPart>& parts);
 

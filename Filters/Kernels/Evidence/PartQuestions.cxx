@@ -27,14 +27,6 @@ bool IsAnswered(const DoubtfulPart& part, const ConstraintList& constraints)
     { return constraint.Kind != ConstraintKind::Boundary && IsNear(part, constraint.Point); });
 }
 
-bool HasVoxel(const std::vector<VoxelRun>& voxels, const std::array<int, 3>& voxel)
-{
-  return std::any_of(voxels.begin(), voxels.end(),
-    [&voxel](const VoxelRun& run) {
-      return run.K == voxel[2] && run.J == voxel[1] && run.Begin <= voxel[0] && voxel[0] < run.End;
-    });
-}
-
 } // namespace
 
 std::vector<DoubtfulPart> QuestionsOf(const std::vector<DoubtfulPart>& doubts,

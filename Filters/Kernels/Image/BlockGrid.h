@@ -18,44 +18,19 @@ struct BlockGrid
 
   /// Blocks of at most `size` millimeters along each axis, and of a voxel at least.
   BlockGrid(const ImageGeometry& voxels, double size)
-    : BlockGrid(voxels, FactorFor(voxels, size))
-  {
-  }
-
-  BlockGrid(const ImageGeometry& voxels, const std::array<int, 3>& factors)
     : Voxels(voxels)
-    , Factor(factors)
     , Blocks(voxels)
   {
     Eigen::Vector3d center;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int factor = factors[axis];
+      const int factor = std::max(1, static_cast<int>(size / voxels.Spacing[axis] + 1e-6));
+      this->Factor[axis] = factor;
       this->Blocks.Dimensions[axis] = (voxels.Dimensions[axis] + factor - 1) / factor;
       this->Blocks.Spacing[axis] = factor * voxels.Spacing[axis];
       center[axis] = 0.5 * (factor - 1);
     }
     this->Blocks.Origin = voxels.ToPhysical(center);
-  }
-
-  static std::array<int, 3> FactorFor(const ImageGeometry& voxels, double size)
-  {
-    std::array<int, 3> factor{};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      factor[axis] = std::max(1, static_cast<int>(size / voxels.Spacing[axis] + 1e-6));
-    }
-    return factor;
-  }
-
-  /// A box of voxels, which then begins with a block.
-  VoxelBox WithWholeBlocks(VoxelBox box) const
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.Begin[axis] -= box.Begin[axis] % this->Factor[axis];
-    }
-    return box;
   }
 
   /// How many voxels of a mask each block holds.
@@ -120,6 +95,12 @@ struct BlockGrid
         mask.SetRun(inside, i * factor[0], end, y, z);
       }
     }
+  }
+
+  void SetBlock(bool inside, std::size_t block, BitMask& mask) const
+  {
+    const std::array<int, 3> index = IndexOf(block, this->Blocks);
+    this->SetBlock(inside, index[0], index[1], index[2], mask);
   }
 
   std::size_t VoxelsPerBlock() const

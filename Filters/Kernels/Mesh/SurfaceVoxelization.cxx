@@ -209,6 +209,14 @@ std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleLis
   return runs;
 }
 
+bool HasVoxel(const std::vector<VoxelRun>& runs, const std::array<int, 3>& voxel)
+{
+  return std::any_of(runs.begin(), runs.end(),
+    [&voxel](const VoxelRun& run) {
+      return run.K == voxel[2] && run.J == voxel[1] && run.Begin <= voxel[0] && voxel[0] < run.End;
+    });
+}
+
 std::size_t CountVoxels(const std::vector<VoxelRun>& runs)
 {
   std::size_t count = 0;

@@ -44,6 +44,8 @@ std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleLis
 
 std::size_t CountVoxels(const std::vector<VoxelRun>& runs);
 
+bool HasVoxel(const std::vector<VoxelRun>& runs, const std::array<int, 3>& voxel);
+
 /// Writes the label into the runs' voxels and leaves all others as they are.
 template <typename T>
 void FillRuns(const std::vector<VoxelRun>& runs, T label, const ImageGeometry& geometry, T* voxels)
