@@ -11,8 +11,9 @@
  * With Exact on, each voxel center stays on the side of its own label: voxelized again, the
  * surfaces are the label map, voxel by voxel. Within these bounds they are as smooth as can be.
  * Off, the default, voxels next to a wall may change sides where that makes surfaces smoother; no
- * label falls apart, gets or loses a tunnel, or disappears by that. WrongVoxels says how many there
- * are. Either way, volumes are those of the voxels, as far as the bounds allow.
+ * label falls apart or disappears by that, but a tunnel may open or close where voxels of a label
+ * touch only by an edge or a corner. WrongVoxels says how many there are. Either way, volumes are
+ * those of the voxels, as far as the bounds allow.
  *
  * Where labels touch only by an edge or a corner of voxels, they are joined if most of the eight
  * voxels there are theirs, and apart if not.

@@ -201,6 +201,46 @@ TEST(ForegroundCorrection, TakesAPartFromItsPlace)
   EXPECT_FALSE(image.IsAt(less, 20, -10, 0));
 }
 
+// What a point means must not change by how far others look: whether it lies on top of what is
+// missed depends on the ball at the far end.
+TEST(ForegroundCorrection, LooksAsFarWhateverThePoints)
+{
+  BallImage image({ 1, 1, 1 });
+  BitMask found(image.Geometry);
+  image.Candidate = found;
+  std::mt19937 random(3);
+  for (std::size_t voxel = 0; voxel < image.Voxels.size(); ++voxel)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, image.Geometry);
+    const Eigen::Vector3d at =
+      image.Geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+    image.Voxels[voxel] = static_cast<float>(random() % 2000); // nothing looks alike
+    if ((at - Eigen::Vector3d(-22, 0, 0)).norm() <= 8)
+    {
+      found.Insert(index[0], index[1], index[2]);
+      image.Voxels[voxel] = 100;
+    }
+    if (found(index[0], index[1], index[2]) || (std::hypot(at[1], at[2]) <= 6.3 && at[0] > -22) ||
+      (at - Eigen::Vector3d(17, 0, 0)).norm() <= 14)
+    {
+      image.Candidate.Insert(index[0], index[1], index[2]);
+    }
+  }
+  const auto corrected = [&](const ConstraintList& points)
+  {
+    BitMask mask = found;
+    EXPECT_TRUE(
+      CorrectForeground(image.Image(), { { -22, 0, 0 }, 5 }, points, SerialFor, NeverStop, mask));
+    return mask;
+  };
+  const PointConstraint near{ ConstraintKind::Inside, { -9, 0, 0 }, 0 };
+  const PointConstraint far{ ConstraintKind::Inside, { 17, -26, 0 }, 0 };
+  BitMask lost = corrected({ near });
+  EXPECT_GT(lost.Count(), found.Count());
+  lost.Remove(corrected({ near, far }));
+  EXPECT_EQ(lost.Count(), 0U);
+}
+
 // A hole elsewhere is none of the point's business.
 TEST(ForegroundCorrection, ChangesNothingFarAway)
 {

@@ -110,8 +110,8 @@ public:
       return false;
     }
     const CorrectionEvidence evidence{ { this->Given.Smooth, this->Box.Begin },
-      this->Foreground.Cropped(this->Box), this->Given.Candidate.Cropped(this->Box),
-      this->Given.Others, this->Seed, this->Given.Noise, this->Given.Kind };
+      this->Foreground.Cropped(this->Box), this->CandidateInReach(), this->Given.Others, this->Seed,
+      this->Given.Noise, this->Given.Kind };
     std::array<BitMask, 2> changed;
     return CutCorrections(evidence, this->Corrections, this->Parallel, this->Ask, changed) &&
       this->ShiftBoundaries(evidence, changed) && this->Change(evidence.Before, changed) &&
