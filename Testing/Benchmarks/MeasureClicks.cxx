@@ -499,21 +499,27 @@ void PrintGroup(const std::string& name, const std::vector<Row>& rows)
 }
 
 // Of the scores after the clicks, without the start; the mean of the rows.
-void PrintCurve(const char* name, const std::vector<const std::vector<double>*>& rows)
+void PrintCurve(const char* name, const std::map<std::string, std::vector<Row>>& groups,
+  std::vector<double> Row::*scoresOf)
 {
   double area = 0;
   double last = 0;
-  for (const std::vector<double>* scores : rows)
+  int count = 0;
+  for (const auto& [organ, rows] : groups)
   {
-    for (std::size_t click = 2; click < scores->size(); ++click)
+    for (const Row& row : rows)
     {
-      area += 0.5 * ((*scores)[click - 1] + (*scores)[click]);
+      const std::vector<double>& scores = row.*scoresOf;
+      for (std::size_t click = 2; click < scores.size(); ++click)
+      {
+        area += 0.5 * (scores[click - 1] + scores[click]);
+      }
+      last += scores.back();
+      ++count;
     }
-    last += scores->back();
   }
-  const auto count = static_cast<double>(rows.size());
-  std::printf("%s: area under the curve %.3f, at last %.3f, in the mean of %zu rows\n", name,
-    area / count, last / count, rows.size());
+  std::printf("%s: area under the curve %.3f, at last %.3f, in the mean of %d rows\n", name,
+    area / std::max(1, count), last / std::max(1, count), count);
 }
 
 // How often the result was wrong about what it asks, by the margin.
@@ -583,23 +589,10 @@ int main(int argc, char* argv[])
   {
     PrintGroup(name, rows);
   }
-  std::vector<const std::vector<double>*> scores;
-  std::vector<const std::vector<double>*> surfaceScores;
-  for (const auto& [name, rows] : groups)
+  PrintCurve("Dice", groups, &Row::Scores);
+  if (options.SurfaceDice)
   {
-    for (const Row& row : rows)
-    {
-      scores.push_back(&row.Scores);
-      surfaceScores.push_back(&row.SurfaceScores);
-    }
-  }
-  if (!scores.empty())
-  {
-    PrintCurve("Dice", scores);
-  }
-  if (options.SurfaceDice && !scores.empty())
-  {
-    PrintCurve("surface Dice at 2 mm", surfaceScores);
+    PrintCurve("surface Dice at 2 mm", groups, &Row::SurfaceScores);
   }
   std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d, moving "
               "voxels the other way: %d of %zu\n",

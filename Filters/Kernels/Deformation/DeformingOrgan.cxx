@@ -116,10 +116,11 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   }
   this->Candidate = std::move(carved.Candidate);
   this->Surface.Carving = std::move(carved.Report);
-  // Of doubts about the same part, the last one counts: first the cut's, then the most doubtful.
+  // Of doubts about the same part, the last one counts: so the surest come first, and the cut's
+  // remain last.
+  std::vector<DoubtfulPart>& doubts = this->Surface.Carving.Doubts;
   for (const OtherPart& other : this->Others)
   {
-    std::vector<DoubtfulPart>& doubts = this->Surface.Carving.Doubts;
     doubts.insert(doubts.begin(), other.Doubt);
   }
   this->SettleForeground(std::move(carved.Mask));

@@ -110,7 +110,7 @@ public:
       return false;
     }
     const CorrectionEvidence evidence{ { this->Given.Smooth, this->Box.Begin },
-      this->Foreground.Cropped(this->Box), this->CandidateInReach(), this->Given.Others, this->Seed,
+      this->Foreground.Cropped(this->Box), this->CandidateNearby(), this->Given.Others, this->Seed,
       this->Given.Noise, this->Given.Kind };
     std::array<BitMask, 2> changed;
     return CutCorrections(evidence, this->Corrections, this->Parallel, this->Ask, changed) &&
@@ -145,14 +145,20 @@ private:
     return opposite;
   }
 
-  // With all that points may bring, and in whole blocks: neither may depend on the points.
-  VoxelBox FindBox()
+  // Where missed parts are looked for. It must not depend on the points.
+  VoxelBox MissedBox() const
   {
     const ImageGeometry& geometry = this->Foreground.GetGeometry();
-    VoxelBox box =
-      this->Foreground.Bounds().Joined(BoxAround(geometry, this->Seed.Center, this->Seed.Radius));
-    box = WidenedBy(box, MissedReach, 1, geometry);
-    this->Reach = box;
+    return WidenedBy(
+      this->Foreground.Bounds().Joined(BoxAround(geometry, this->Seed.Center, this->Seed.Radius)),
+      MissedReach, 1, geometry);
+  }
+
+  // With all that points may bring, and in whole blocks: neither may depend on the points.
+  VoxelBox FindBox() const
+  {
+    const ImageGeometry& geometry = this->Foreground.GetGeometry();
+    VoxelBox box = this->MissedBox();
     for (const OtherPart& other : this->Given.Others)
     {
       box = box.Joined(other.Box);
@@ -170,14 +176,15 @@ private:
     return box.Widened(margin, WholeBox(geometry));
   }
 
-  BitMask CandidateInReach() const
+  BitMask CandidateNearby() const
   {
     if (!this->Given.Candidate.HasGrid())
     {
       return {};
     }
     BitMask within(this->Foreground.GetGeometry());
-    within.Insert(this->Given.Candidate.Cropped(this->Reach), this->Reach.Begin);
+    const VoxelBox box = this->MissedBox();
+    within.Insert(this->Given.Candidate.Cropped(box), box.Begin);
     return within.Cropped(this->Box);
   }
 
@@ -273,8 +280,7 @@ private:
   BitMask& Foreground;
   std::vector<PointCorrection> Corrections; // in one order for the same set
 
-  VoxelBox Reach; // of what is missed; the same for all points
-  VoxelBox Box;   // what follows is on its grid
+  VoxelBox Box;                                           // what follows is on its grid
   std::array<std::vector<std::array<int, 3>>, 2> Certain; // outside, inside
 };
 

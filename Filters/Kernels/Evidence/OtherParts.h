@@ -3,8 +3,8 @@
  * that is found in another way, such as by a narrower interval of gray values, is mostly worse. But
  * where it differs by a deep part, one of the two is wrong about all of that part. How well the
  * image supports the boundary with and without the part (BoundarySupport.h) tells how likely that
- * is. These parts are worth asking about (PartQuestions.h), and are what a point in one of them
- * means (CorrectionCut.h).
+ * is. These parts are worth asking about (PartQuestions.h), and are what a point at the place of
+ * one means (CorrectionCut.h).
  */
 #ifndef FlipFreeOtherParts_h
 #define FlipFreeOtherParts_h
