@@ -174,7 +174,8 @@ class Voxels(unittest.TestCase):
 
 class Guide(unittest.TestCase):
     def test_python_without_vtk(self):
-        page = Path(os.environ["FLIPFREE_PYTHON_SOURCE"], "..", "..", "Examples", "Guide", "python.md").read_text(encoding="utf-8")
+        source = Path(os.environ["FLIPFREE_PYTHON_SOURCE"]).parents[1]
+        page = (source / "Examples" / "Guide" / "python.md").read_text(encoding="utf-8")
         section = page.partition("\n## Without VTK\n")[2].partition("\n## ")[0]
         [program] = re.findall("```python\n(.*?)```", section, re.DOTALL)
         output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout

@@ -1,4 +1,5 @@
-"""The notebook of the examples runs from the first cell to the last, and draws its pictures; so do the guide's lines for PyVista.
+"""The notebook of the examples runs from the first cell to the last, and draws its pictures; so do the
+guide's lines for PyVista.
 
   TestNotebook.py [--renew]
 
