@@ -36,6 +36,9 @@ class TestGuide(unittest.TestCase):
         page_map = text_of("Examples", "Guide", "README.md").partition("\n## ")[0]
         self.assertEqual(set(re.findall(r"\]\(([\w-]+\.md)", page_map)) | {"README.md"}, pages)
 
+    def test_readme_is_short(self):
+        self.assertLessEqual(text_of("README.md").count("\n"), 200)
+
     def test_readme_has_the_numbers_of_the_guide(self):
         rows = [re.findall(r"^\| (?:[CM][TR] \w+|all) \|.*", text_of(*path), re.MULTILINE)[:7]
                 for path in (("README.md",), ("Examples", "Guide", "measures.md"))]
