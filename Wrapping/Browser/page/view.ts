@@ -9,8 +9,10 @@ import {
   swapLpsRas,
   trianglesOf,
 } from "../flipfree/index.js";
-import { type Marks, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
-import { type Point, type Tile, pointAt, tileAt } from "./tiles.js";
+import { type Marks, type ShownPreview, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
+import { type QuestionMark, questionMarkAt } from "./questionmarks.js";
+import { thinned } from "./stroke.js";
+import { type Point, type Tile, pixelWithin, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
 
 export interface ViewedOrgan {
@@ -22,9 +24,13 @@ export interface ViewedOrgan {
   isChosen: boolean;
   /** Inside, outside, boundary, seed, or the number of a vessel's point. */
   points: { kind: string; position: Triple; radius?: number }[];
+  /** The places of its questions. */
+  questions: readonly Triple[];
+  /** The number of the chosen one, or -1. */
+  chosenQuestion: number;
 }
 
-/** What the left button does: it places the seed or a further one, moves the cross-hair, or places a point. */
+/** What the left button does: it places the seed or a further one, moves the cross-hair, places a point, or paints points. */
 export type Tool = "seed" | "further" | "navigate" | "inside" | "outside" | "boundary" | "point";
 
 /** LPS as RAS, or the other way; without negative zeros, which text would show. */
@@ -74,22 +80,44 @@ interface Drag {
   start: [number, number];
   center: Point;
   window: [number, number];
+  path: Point[];
 }
+
+/** Millimeters between the points of a stroke, or a voxel if that is more. */
+const strokeStep = 3;
 
 export class View {
   private readonly slices: Niivue;
   private readonly solid: Niivue;
   private solidIsReady: Promise<void> | null = null;
-  private marks: Marks = { surfaces: [], seeds: [], points: [], nearby: 1 };
+  private marks: Marks = {
+    surfaces: [],
+    seeds: [],
+    points: [],
+    questions: [],
+    chosenQuestion: -1,
+    stroke: null,
+    preview: null,
+    pointed: null,
+    nearby: 1,
+  };
+  private strokeStep = strokeStep;
 
-  tool: Tool | null = null;
+  private currentTool: Tool | null = null;
+  /** The place under the pointer, if a click there would use the tool. */
+  hovered: Triple | null = null;
 
   /** Called while a seed is dragged, and when it is placed. */
   onSeed: (seed: Seed, placed: boolean) => void = () => {};
-  /** Called when a point is placed. */
-  onPoint: (position: Triple) => void = () => {};
+  /** Called when a point is placed, or several by a stroke. */
+  onPoints: (positions: Triple[]) => void = () => {};
+  /** Called when a question's mark is clicked, or the answer beside it. */
+  onQuestion: (question: number, isOrgan: boolean | null) => void = () => {};
   /** Called when the window was dragged. */
   onWindow: () => void = () => {};
+
+  /** Called when the pointer has moved, or has another tool. */
+  onHover: () => void = () => {};
 
   private constructor(
     private readonly overlay: HTMLCanvasElement,
@@ -148,9 +176,27 @@ export class View {
     opened.shown.cal_max = greatest;
     this.slices.addVolume(opened.shown);
     this.marks.nearby = Math.max(1, ...opened.image.spacing.map((spacing) => 0.6 * spacing));
+    this.strokeStep = Math.max(strokeStep, ...opened.image.spacing);
     this.slices.scene.crosshairPos = [0.5, 0.5, 0.5];
     this.slices.scene.pan2Dxyzmm = [0, 0, 0, 1];
     this.slices.drawScene();
+  }
+
+  get tool(): Tool | null {
+    return this.currentTool;
+  }
+
+  set tool(tool: Tool | null) {
+    this.currentTool = tool;
+    this.onHover();
+  }
+
+  /** What a point would change. */
+  setPreview(preview: (Omit<ShownPreview, "place"> & { place: Triple }) | null): void {
+    if (preview || this.marks.preview) {
+      this.marks.preview = preview && { ...preview, place: swapped(preview.place) };
+      this.drawMarks();
+    }
   }
 
   get window(): [number, number] {
@@ -213,7 +259,7 @@ export class View {
     this.solid.drawScene();
   }
 
-  /** Seeds and points; the surfaces stay. */
+  /** Seeds, points and questions; the surfaces stay. */
   setMarks(organs: ViewedOrgan[]): void {
     const further = organs.flatMap(({ points, color }) => points.map((point) => ({ ...point, color })));
     const seeds = organs.flatMap(({ seed, color }) => (seed ? [{ ...seed, color }] : []));
@@ -225,6 +271,9 @@ export class View {
     this.marks.points = further
       .filter(({ kind }) => kind !== "seed")
       .map(({ kind, position, color }) => ({ kind, place: swapped(position), color }));
+    const asking = organs.find(({ questions }) => questions.length > 0);
+    this.marks.questions = asking?.questions.map((place) => swapped(place)) ?? [];
+    this.marks.chosenQuestion = asking?.chosenQuestion ?? -1;
     this.drawMarks();
   }
 
@@ -268,33 +317,71 @@ export class View {
         this.onSeed({ center: swapped(drag.center), radius }, isLast);
       } else if (this.tool === "navigate") {
         this.crosshair = swapped(pointAt(drag.tile, ...this.pixelOf(event)));
+      } else if (this.tool === "inside" || this.tool === "outside") {
+        drag.path.push(pointAt(drag.tile, ...pixelWithin(drag.tile, ...this.pixelOf(event))));
+        this.marks.stroke = isLast ? null : { kind: this.tool, path: drag.path, slice: drag.tile.axCorSag };
+        this.drawMarks();
+        if (isLast) {
+          this.onPoints(thinned(drag.path, this.strokeStep).map(swapped));
+        }
       } else if (this.tool) {
         const position = swapped(pointAt(drag.tile, ...this.pixelOf(event)));
         this.crosshair = position;
         if (isLast) {
-          this.onPoint(position);
+          this.onPoints([position]);
         }
       }
+    };
+    const end = () => {
+      drag = null;
+      this.marks.stroke = null;
+      this.drawMarks();
     };
     overlay.addEventListener("pointerdown", (event) => {
       const start = this.pixelOf(event);
       const tile = tileAt(this.slices, ...start);
-      if (tile && this.tool && (event.button === 0 || event.button === 2)) {
+      const mark = event.button === 0 ? this.questionMarkAt(start) : undefined;
+      if (mark) {
+        this.onQuestion(mark.question, mark.isOrgan);
+      } else if (tile && this.tool && (event.button === 0 || event.button === 2)) {
         overlay.setPointerCapture(event.pointerId);
         const center = pointAt(tile, ...start);
-        drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window };
+        drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window, path: [center] };
         if (event.button === 0) {
           this.crosshair = swapped(center);
         }
       }
     });
-    overlay.addEventListener("pointermove", (event) => move(event, false));
+    overlay.addEventListener("pointermove", (event) => {
+      move(event, false);
+      this.point(this.pixelOf(event), drag !== null);
+    });
+    overlay.addEventListener("pointerleave", () => this.point(null, false));
     overlay.addEventListener("pointerup", (event) => {
       move(event, true);
-      drag = null;
+      end();
     });
-    overlay.addEventListener("pointercancel", () => (drag = null));
+    overlay.addEventListener("pointercancel", end);
     overlay.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  private questionMarkAt(pixel: [number, number]): QuestionMark | undefined {
+    const tile = tileAt(this.slices, ...pixel);
+    return tile && questionMarkAt(tile, this.marks, ...pixel);
+  }
+
+  /** Where the pointer is, dragged or not. */
+  private point(pixel: [number, number] | null, isDragged: boolean): void {
+    const tile = pixel && tileAt(this.slices, ...pixel);
+    const pointed = tile?.axCorSag ?? null;
+    if (this.marks.pointed !== pointed) {
+      this.marks.pointed = pointed;
+      this.drawMarks();
+    }
+    const isOnMark = pixel !== null && !isDragged && this.questionMarkAt(pixel) !== undefined;
+    this.overlay.classList.toggle("on-question", isOnMark);
+    this.hovered = pixel && tile && !isDragged && !isOnMark ? swapped(pointAt(tile, ...pixel)) : null;
+    this.onHover();
   }
 
   /** To the right for a wider window, upward for a lower level, as on workstations. */
