@@ -337,11 +337,13 @@ test("a question on the slices and in the list, answered by mouse and keys, and 
 });
 
 test("before a click, what it would add or take: on the slices, by the pointer, and in words", async () => {
+  await page.selectOption("#phantom-seed", "6");
+  await segment();
   await page.keyboard.press("q");
   const tip = await middleOf(magenta, 0);
   await page.keyboard.press("i");
-  await page.mouse.move(tip[0] - 20, tip[1] + 10, { steps: 5 }); // in the part, beside the mark
-  await waitForHint("A click here adds 4");
+  await page.mouse.move(tip[0] + 10, tip[1] - 15, { steps: 5 }); // in the part, beside the mark
+  await until(async () => /^A click here adds [45]\d ml\.$/.test(await hint()));
   assert.ok((await filled(added))[0] > 100);
   const [, milliliters] = (await hint()).match(/adds ([\d.]+) ml\.$/);
   const before = await volume();
@@ -350,15 +352,16 @@ test("before a click, what it would add or take: on the slices, by the pointer, 
   await page.mouse.up();
   await corrected();
   console.log(`A click that was to add ${milliliters} ml: ${before} to ${await volume()} ml`);
-  assert.ok((await volume()) - before > 0.6 * Number(milliliters));
+  assert.ok((await volume()) - before > 0.5 * Number(milliliters));
   // The pointer rests; the point is there, and its part is in.
-  await page.mouse.move(tip[0] - 22, tip[1] + 10, { steps: 2 });
   await waitForHint("Nothing would change here");
   assert.deepEqual(await filled(added), [0, 0, 0]);
 
-  await page.keyboard.press("o"); // without moving
+  await page.keyboard.press("o"); // without moving: at the very place of the inside point
+  await waitForHint("No point can be placed here");
+  await pointAt(0, 0, 0.32, 0.6);
   await waitForHint("A click here takes away");
-  assert.ok((await filled(taken))[0] > 20);
+  assert.ok((await filled(taken))[0] > 20, `${await hint()} ${await filled(taken)}`);
   await picture("preview-outside");
   await pointAt(1, 1, 0.5, 0.5); // on no slice
   await waitForHint("Click, or paint, where it took in");

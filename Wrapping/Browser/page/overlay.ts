@@ -145,15 +145,19 @@ function drawPreview(context: Context, niivue: Niivue, tile: Tile, preview: Show
   context.restore();
 }
 
-/** Beside the pointer. */
+/** Below and beside the pointer. */
 function drawLabel(context: Context, tile: Tile, { kind, place, label }: ShownPreview): void {
   const size = 14 * window.devicePixelRatio;
   const [x, y] = pixelAt(tile, place);
   const [left, , width] = tile.leftTopWidthHeight;
   const isRight = x < left + 0.75 * width;
   context.font = `600 ${size}px system-ui, sans-serif`;
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = size / 4;
+  context.strokeStyle = "#000";
   context.fillStyle = changeColors[kind];
-  write(context, label, x + (isRight ? size : -size), y - size, isRight ? "left" : "right");
+  write(context, label, x + (isRight ? size : -size), y + 1.3 * size, isRight ? "left" : "right");
 }
 
 function drawStroke(context: Context, tile: Tile, { kind, path }: ShownStroke): void {
@@ -229,11 +233,11 @@ export function drawOverlay(overlay: HTMLCanvasElement, niivue: Niivue, marks: M
     if (marks.stroke?.slice === tile.axCorSag) {
       drawStroke(context, tile, marks.stroke);
     }
-    drawQuestions(context, tile, marks);
-    drawText(context, niivue, tile, index === 0 ? captions : []);
     if (marks.preview && marks.pointed === tile.axCorSag) {
       drawLabel(context, tile, marks.preview);
     }
+    drawQuestions(context, tile, marks);
+    drawText(context, niivue, tile, index === 0 ? captions : []);
     context.restore();
   });
 }
