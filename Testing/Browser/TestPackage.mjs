@@ -146,7 +146,7 @@ test("a preview of a point is what the point changes", async () => {
   const voxels = lobe.runs.reduce((sum, end, at) => (at % 4 === 3 ? sum + end - lobe.runs[at - 1] : sum), 0);
   assert.ok(Math.abs(0.008 * voxels - lobe.volume) < 1e-9);
   assert.deepEqual(await flipfree.preview({ inside: [40, 47, 47] }), { runs: new Int32Array(), volume: 0 });
-  await assert.rejects(flipfree.preview({ outside: [48, 47, 47] }), /^The outside point \(48, 47, 47\) mm lies in the inner half/);
+  await assert.rejects(flipfree.preview({ outside: [48, 47, 47] }), /The outside point \(48, 47, 47\) mm lies in the inner half/);
   await flipfree.segment(image, lobed, { parameters, inside: [[100, 47, 47]] });
   assert.equal((await flipfree.preview({ inside: [100, 47, 47] })).volume, 0);
   await flipfree.segment(image, lobed, { parameters: { ...parameters, carving: false } });
