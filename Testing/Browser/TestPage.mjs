@@ -364,12 +364,12 @@ test("before a click, what it would add or take: on the slices, by the pointer, 
   assert.ok((await filled(taken))[0] > 20, `${await hint()} ${await filled(taken)}`);
   await picture("preview-outside");
   await pointAt(1, 1, 0.5, 0.5); // on no slice
-  await waitForHint("Click, or paint, where it took in");
+  await waitForHint("Click or paint where it took in");
   assert.deepEqual(await filled(taken), [0, 0, 0]);
   await page.click("#undo");
   // The kernels keep another result than that which is shown.
   await pointAt(0, 0, 0.3, 0.5);
-  await waitForHint("Click, or paint, where it took in");
+  await waitForHint("Click or paint where it took in");
 });
 
 test("a stroke paints points, in one step", async () => {

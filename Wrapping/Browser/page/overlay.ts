@@ -26,6 +26,8 @@ export interface ShownPoint {
   kind: string;
   place: Point; // RAS
   color: string;
+  /** Of a stroke, or as close to another one: as a dot, it hides less. */
+  isDot: boolean;
 }
 
 /** What is being painted. */
@@ -105,14 +107,14 @@ function drawSeed(context: Context, tile: Tile, { center, radius, color }: Shown
   context.fillRect(x - 2, y - 2, 4, 4);
 }
 
-/** A disk with a sign of its kind, a diamond on the boundary; fainter beside the slice. */
-function drawPoint(context: Context, tile: Tile, { kind, place, color }: ShownPoint, nearby: number): void {
+/** A disk with a sign of its kind, a diamond on the boundary, a dot; fainter beside the slice. */
+function drawPoint(context: Context, tile: Tile, { kind, place, color, isDot }: ShownPoint, nearby: number): void {
   const distance = distanceOf(tile, place);
   if (distance > Math.max(nearby, fadesWithin)) {
     return;
   }
   const [x, y] = pixelAt(tile, place);
-  const size = 6.5 * window.devicePixelRatio;
+  const size = (isDot ? 3 : 6.5) * window.devicePixelRatio;
   context.save();
   context.globalAlpha = distance <= nearby ? 1 : 0.35;
   context.translate(x, y);
@@ -133,7 +135,7 @@ function drawPoint(context: Context, tile: Tile, { kind, place, color }: ShownPo
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.font = `700 ${1.7 * size}px system-ui, sans-serif`;
-  context.fillText({ inside: "+", outside: "−", boundary: "" }[kind] ?? kind, 0, 0.1 * size);
+  context.fillText(isDot ? "" : ({ inside: "+", outside: "−", boundary: "" }[kind] ?? kind), 0, 0.1 * size);
   context.restore();
 }
 

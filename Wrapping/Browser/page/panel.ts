@@ -12,8 +12,8 @@ import type { Tool, ViewedOrgan } from "./view.js";
 const hints: Record<Tool, string> = {
   seed: "Click in the organ, drag to its boundary. Keep vessels and other organs out of the circle, in all three slices.",
   further: "Click where the organ was missed, drag to its boundary.",
-  inside: "Click, or paint, where the organ was missed.",
-  outside: "Click, or paint, where it took in something else.",
+  inside: "Click or paint where the organ was missed.",
+  outside: "Click or paint where it took in too much.",
   boundary: "Click on the organ's boundary.",
   point: "Click at both ends and, where the vessel winds, in between.",
   navigate: "Click to move the cross-hair.",

@@ -1,13 +1,14 @@
 /** Strokes painted on a slice. */
+import type { Triple } from "../flipfree/index.js";
 import type { Point } from "./tiles.js";
 
-function distanceOf(a: Point, b: Point): number {
+export function distanceBetween(a: Triple, b: Triple): number {
   return Math.hypot(...a.map((value, axis) => value - b[axis]));
 }
 
 /** Both ends of a path and points at even distances between, of at least a step; of a shorter path, its start alone. */
 export function thinned(path: readonly Point[], step: number): Point[] {
-  const lengths = path.slice(1).map((point, at) => distanceOf(path[at], point));
+  const lengths = path.slice(1).map((point, at) => distanceBetween(path[at], point));
   const whole = lengths.reduce((sum, length) => sum + length, 0);
   const count = Math.floor(whole / step); // of intervals
   const even = whole / count;

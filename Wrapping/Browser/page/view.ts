@@ -11,7 +11,7 @@ import {
 } from "../flipfree/index.js";
 import { type Marks, type ShownPreview, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
 import { type QuestionMark, questionMarkAt } from "./questionmarks.js";
-import { thinned } from "./stroke.js";
+import { distanceBetween, thinned } from "./stroke.js";
 import { type Point, type Tile, pixelWithin, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
 
@@ -268,9 +268,12 @@ export class View {
       ...seed,
       center: swapped(seed.center),
     }));
-    this.marks.points = further
-      .filter(({ kind }) => kind !== "seed")
-      .map(({ kind, position, color }) => ({ kind, place: swapped(position), color }));
+    const points = further.filter(({ kind }) => kind !== "seed");
+    this.marks.points = points.map(({ kind, position, color }) => {
+      const isClose = (other: Triple) => other !== position && distanceBetween(other, position) < 2 * this.strokeStep;
+      const isDot = points.some((other) => other.kind === kind && isClose(other.position));
+      return { kind, place: swapped(position), color, isDot };
+    });
     const asking = organs.find(({ questions }) => questions.length > 0);
     this.marks.questions = asking?.questions.map((place) => swapped(place)) ?? [];
     this.marks.chosenQuestion = asking?.chosenQuestion ?? -1;
