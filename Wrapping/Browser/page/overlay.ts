@@ -154,10 +154,6 @@ function drawLabel(context: Context, tile: Tile, { kind, place, label }: ShownPr
   const [left, , width] = tile.leftTopWidthHeight;
   const isRight = x < left + 0.75 * width;
   context.font = `600 ${size}px system-ui, sans-serif`;
-  context.textBaseline = "middle";
-  context.lineJoin = "round";
-  context.lineWidth = size / 4;
-  context.strokeStyle = "#000";
   context.fillStyle = changeColors[kind];
   write(context, label, x + (isRight ? size : -size), y + 1.3 * size, isRight ? "left" : "right");
 }
@@ -176,8 +172,13 @@ function drawStroke(context: Context, tile: Tile, { kind, path }: ShownStroke): 
   context.restore();
 }
 
+/** In front of any gray. */
 function write(context: Context, text: string, x: number, y: number, align: CanvasTextAlign): void {
   context.textAlign = align;
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = 3.5 * window.devicePixelRatio;
+  context.strokeStyle = "#000";
   context.strokeText(text, x, y);
   context.fillText(text, x, y);
 }
@@ -186,10 +187,6 @@ function drawText(context: Context, niivue: Niivue, tile: Tile, captions: string
   const [left, top, width, height] = tile.leftTopWidthHeight;
   const size = 14 * window.devicePixelRatio;
   const gap = size / 2;
-  context.textBaseline = "middle";
-  context.lineJoin = "round";
-  context.lineWidth = size / 4;
-  context.strokeStyle = "#000";
   context.fillStyle = "#f2f2f2";
   context.font = `600 ${size}px system-ui, sans-serif`;
   const [onLeft, onRight, below, above] = sidesOf(tile);

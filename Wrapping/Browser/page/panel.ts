@@ -2,12 +2,13 @@
 import type { Seed } from "../flipfree/index.js";
 import { app, organs, view } from "./app.js";
 import { button, element, input, select } from "./dom.js";
+import type { ViewedOrgan } from "./marks.js";
 import { showOrgans } from "./organlist.js";
 import { type OrganState, canRepeat, canRun } from "./organs.js";
 import { showPoints } from "./pointlist.js";
 import { chosenQuestionOf, questionsOf, showQuestions } from "./questions.js";
 import { showResult } from "./result.js";
-import type { Tool, ViewedOrgan } from "./view.js";
+import type { Tool } from "./view.js";
 
 const hints: Record<Tool, string> = {
   seed: "Click in the organ, drag to its boundary. Keep vessels and other organs out of the circle, in all three slices.",

@@ -17,7 +17,7 @@ export interface QuestionMark {
   isOrgan: boolean | null;
 }
 
-/** None like an organ's, the blue of doubtful places, or what a click adds or takes. */
+/** None like an organ's, or the blue of doubtful places. */
 export const questionColor = "#ff5ce1";
 
 interface Badge extends QuestionMark {

@@ -1,55 +1,17 @@
-/** Slices and surfaces on the screen. NiiVue draws the volume and the surfaces in 3D; what is drawn over its slices and
- * what the pointer does there is ours. NiiVue's coordinates are RAS, all others LPS. */
-import { type NVConfigOptions, NVMesh, Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
-import {
-  type Seed,
-  type Surface,
-  type Triple,
-  doubtfulVertexConfidence,
-  swapLpsRas,
-  trianglesOf,
-} from "../flipfree/index.js";
-import { type Marks, type ShownPreview, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
+/** Slices on the screen. NiiVue draws the volume, and the surfaces in 3D; what is drawn over its slices and what the pointer does
+ * there is ours. NiiVue's coordinates are RAS, all others LPS. */
+import { Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
+import { type Seed, type Surface, type Triple, trianglesOf } from "../flipfree/index.js";
+import { type ViewedOrgan, marksOf, swapped } from "./marks.js";
+import { type Marks, type ShownPreview, type ShownSurface, drawOverlay } from "./overlay.js";
 import { type QuestionMark, questionMarkAt } from "./questionmarks.js";
-import { distanceBetween, thinned } from "./stroke.js";
+import { Solid, niivueOptions } from "./solid.js";
+import { thinned } from "./stroke.js";
 import { type Point, type Tile, pixelWithin, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
 
-export interface ViewedOrgan {
-  surface: Surface | null;
-  /** Of the surface's vertices; a vessel has none. */
-  confidence: Float32Array | null;
-  seed: Seed | null;
-  color: string;
-  isChosen: boolean;
-  /** Inside, outside, boundary, seed, or the number of a vessel's point. */
-  points: { kind: string; position: Triple; radius?: number }[];
-  /** The places of its questions. */
-  questions: readonly Triple[];
-  /** The number of the chosen one, or -1. */
-  chosenQuestion: number;
-}
-
 /** What the left button does: it places the seed or a further one, moves the cross-hair, places a point, or paints points. */
 export type Tool = "seed" | "further" | "navigate" | "inside" | "outside" | "boundary" | "point";
-
-/** LPS as RAS, or the other way; without negative zeros, which text would show. */
-function swapped(point: Triple | Point): Point {
-  const [x, y, z] = swapLpsRas(point);
-  return [x + 0, y + 0, z];
-}
-
-function bytesOf(color: string): [number, number, number] {
-  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16)) as [number, number, number];
-}
-
-/** Red, green, blue and opacity of each vertex. */
-function colorsOf({ color, confidence }: ShownSurface): Uint8Array {
-  const [own, doubtful] = [[...bytesOf(color), 255], [...bytesOf(doubtColor), 255]];
-  const colors = new Uint8Array(4 * confidence.length);
-  confidence.forEach((value, vertex) => colors.set(value < doubtfulVertexConfidence ? doubtful : own, 4 * vertex));
-  return colors;
-}
 
 /** For shading a volume in 3D, which this page does not do, NiiVue computes its gradients with each window: twice the memory of
  * the image on the screen, and most of the time. Here, they get one voxel of each slice. */
@@ -61,17 +23,6 @@ function leaveOutGradients(niivue: Niivue): void {
     return make(texture, unit, isGradient ? [dims[0], 1, 1, dims[3]] : dims, isInit);
   };
 }
-
-const common = {
-  dragAndDropEnabled: false,
-  isResizeCanvas: true,
-  backColor: [0, 0, 0, 1],
-  logLevel: "fatal" as const, // what goes wrong is said by the page
-  viewModeHotKey: "",
-  clipPlaneHotKey: "",
-  cycleClipPlaneHotKey: "",
-  loadingText: "",
-} satisfies Partial<NVConfigOptions>;
 
 interface Drag {
   pointer: number;
@@ -88,8 +39,7 @@ const strokeStep = 3;
 
 export class View {
   private readonly slices: Niivue;
-  private readonly solid: Niivue;
-  private solidIsReady: Promise<void> | null = null;
+  private readonly solid: Solid;
   private marks: Marks = {
     surfaces: [],
     seeds: [],
@@ -115,16 +65,15 @@ export class View {
   onQuestion: (question: number, isOrgan: boolean | null) => void = () => {};
   /** Called when the window was dragged. */
   onWindow: () => void = () => {};
-
   /** Called when the pointer has moved, or has another tool. */
   onHover: () => void = () => {};
 
   private constructor(
     private readonly overlay: HTMLCanvasElement,
-    private readonly solidCanvas: HTMLCanvasElement,
+    solidCanvas: HTMLCanvasElement,
   ) {
     this.slices = new Niivue({
-      ...common,
+      ...niivueOptions,
       isRadiologicalConvention: true,
       isSliceMM: true,
       isOrientationTextVisible: false, // the overlay has all four letters
@@ -133,7 +82,7 @@ export class View {
       crosshairWidth: 0.5,
       crosshairColor: [0.8, 0.8, 0.8, 0.6],
     });
-    this.solid = new Niivue({ ...common, show3Dcrosshair: false, isOrientCube: true });
+    this.solid = new Solid(solidCanvas);
   }
 
   static async open(slices: HTMLCanvasElement, overlay: HTMLCanvasElement, solid: HTMLCanvasElement): Promise<View> {
@@ -157,13 +106,9 @@ export class View {
     return view;
   }
 
-  /** Makes the view in 3D ready. Its shaders take almost half of the page's time to load, so that is done with the first run. */
+  /** Makes the view in 3D ready. */
   prepareSurfaces(): Promise<void> {
-    this.solidIsReady ??= this.solid.attachToCanvas(this.solidCanvas).then(() => {
-      this.solid.setSliceType(SLICE_TYPE.RENDER);
-      this.solid.setRenderAzimuthElevation(180, 10); // from the front, as the coronal slice
-    });
-    return this.solidIsReady;
+    return this.solid.prepare();
   }
 
   /** Shows a volume, and nothing else any more. The window comes with it: with each, NiiVue makes its textures anew. */
@@ -242,41 +187,13 @@ export class View {
       ...this.marks,
       surfaces: organs.flatMap((organ) => (organ.surface ? [this.shownSurface(organ, organ.surface)] : [])),
     };
-    if (this.solidIsReady || this.marks.surfaces.length > 0) {
-      void this.prepareSurfaces().then(() => this.drawSurfaces());
-    }
+    this.solid.show(this.marks.surfaces);
     this.setMarks(organs);
-  }
-
-  private drawSurfaces(): void {
-    for (const mesh of [...this.solid.meshes]) {
-      this.solid.removeMesh(mesh);
-    }
-    for (const shown of this.marks.surfaces) {
-      const points = Float32Array.from(shown.points);
-      this.solid.addMesh(new NVMesh(points, shown.triangles, "surface", colorsOf(shown), 1, true, this.solid.gl));
-    }
-    this.solid.drawScene();
   }
 
   /** Seeds, points and questions; the surfaces stay. */
   setMarks(organs: ViewedOrgan[]): void {
-    const further = organs.flatMap(({ points, color }) => points.map((point) => ({ ...point, color })));
-    const seeds = organs.flatMap(({ seed, color }) => (seed ? [{ ...seed, color }] : []));
-    const spheres = further.map(({ position, radius, color }) => ({ center: position, radius: radius ?? 0, color }));
-    this.marks.seeds = [...seeds, ...spheres.filter(({ radius }) => radius > 0)].map((seed) => ({
-      ...seed,
-      center: swapped(seed.center),
-    }));
-    const points = further.filter(({ kind }) => kind !== "seed");
-    this.marks.points = points.map(({ kind, position, color }) => {
-      const isClose = (other: Triple) => other !== position && distanceBetween(other, position) < 2 * this.strokeStep;
-      const isDot = points.some((other) => other.kind === kind && isClose(other.position));
-      return { kind, place: swapped(position), color, isDot };
-    });
-    const asking = organs.find(({ questions }) => questions.length > 0);
-    this.marks.questions = asking?.questions.map((place) => swapped(place)) ?? [];
-    this.marks.chosenQuestion = asking?.chosenQuestion ?? -1;
+    this.marks = { ...this.marks, ...marksOf(organs, 2 * this.strokeStep) };
     this.drawMarks();
   }
 
@@ -342,6 +259,9 @@ export class View {
     };
     overlay.addEventListener("pointerdown", (event) => {
       const start = this.pixelOf(event);
+      if (event.pointerType !== "mouse") {
+        this.point(start, false); // a finger has not moved there
+      }
       const tile = tileAt(this.slices, ...start);
       const mark = event.button === 0 ? this.questionMarkAt(start) : undefined;
       if (mark) {
@@ -359,7 +279,11 @@ export class View {
       move(event, false);
       this.point(this.pixelOf(event), drag !== null);
     });
-    overlay.addEventListener("pointerleave", () => this.point(null, false));
+    overlay.addEventListener("pointerleave", (event) => {
+      if (event.pointerType === "mouse") {
+        this.point(null, false);
+      }
+    });
     overlay.addEventListener("pointerup", (event) => {
       move(event, true);
       end();
@@ -405,6 +329,7 @@ export class View {
       } else {
         this.slices.canvas!.dispatchEvent(new WheelEvent("wheel", event));
       }
+      this.point(this.pixelOf(event), event.buttons !== 0);
     };
     this.overlay.addEventListener("wheel", take, { passive: false });
   }
