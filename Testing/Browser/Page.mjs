@@ -91,11 +91,13 @@ function colored(color, [least, greatest]) {
 }
 
 const opaque = [201, 255];
+const translucent = [60, 120];
 export const coloredPixels = async (color) => (await colored(color, opaque)).map(({ count }) => count);
 export const middleOf = async (color, quarter) => (await colored(color, opaque))[quarter].middle;
 
 /** Of what a click would add or take, which is translucent. */
-export const filledPixels = async (color) => (await colored(color, [60, 120])).map(({ count }) => count);
+export const filledPixels = async (color) => (await colored(color, translucent)).map(({ count }) => count);
+export const filledMiddle = async (color, quarter) => (await colored(color, translucent))[quarter].middle;
 
 export const yellow = [255, 210, 74]; // the first organ's
 export const green = [143, 227, 136]; // the second's

@@ -15,6 +15,7 @@ import {
   corrected,
   countPoints,
   errorText,
+  filledMiddle,
   filledPixels,
   green,
   magenta,
@@ -367,9 +368,21 @@ test("before a click, what it would add or take: on the slices, by the pointer, 
   await waitForHint("Click or paint where it took in");
   assert.deepEqual(await filled(taken), [0, 0, 0]);
   await page.click("#undo");
-  // The kernels keep another result than that which is shown.
-  await pointAt(0, 0, 0.3, 0.5);
+  // The kernels keep another result than that which is shown, and, of a run that was stopped, none.
+  await pointAt(0, 0, 0.32, 0.6);
   await waitForHint("Click or paint where it took in");
+  await page.click("#run");
+  await status("Segmented");
+  await pointAt(0, 0, 0.32, 0.6);
+  await waitForHint("A click here takes away");
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.keyboard.press("Escape");
+  await status("Canceled");
+  assert.equal(await countPoints(), 0);
+  await pointAt(0, 0, 0.33, 0.6);
+  await page.waitForTimeout(500);
+  assert.match(await hint(), /^Click or paint where it took in/);
 });
 
 test("a stroke paints points, in one step", async () => {
@@ -605,6 +618,14 @@ test("the same organ from NRRD, MetaImage and DICOM, in an oblique volume", asyn
     assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.999, `${name}: ${printed}`);
     command(scratch, "segment", "--session", await saved("#save-session"), "-o", "repeated.stl");
   }
+  // What an outside point would take lies within the contour, though the grid is oblique.
+  await page.keyboard.press("o");
+  const [x, y] = await middleOf(yellow, 0);
+  await page.mouse.move(x + 40, y, { steps: 3 });
+  await waitForHint("A click here takes away");
+  const [filledX, filledY] = await filledMiddle(taken, 0);
+  assert.ok(Math.hypot(filledX - x, filledY - y) < 60, `${filledX}, ${filledY} of ${x}, ${y}`);
+  await picture("oblique");
   // The command's label map, whose rows are in another order than the page's of the same series.
   await page.setInputFiles("#labels", result("oblique.nii.gz"));
   await status("Choose the label");

@@ -26,13 +26,16 @@ export function swapped(point: Triple | Point): Point {
 }
 
 /** Seeds, points and questions. Points of a kind that are as close as those of a stroke are dots. */
-export function marksOf(organs: readonly ViewedOrgan[], close: number): Pick<Marks, "seeds" | "points" | "questions" | "chosenQuestion"> {
+export function marksOf(
+  organs: readonly ViewedOrgan[],
+  close: number,
+): Pick<Marks, "seeds" | "points" | "questions" | "chosenQuestion"> {
   const further = organs.flatMap(({ points, color }) => points.map((point) => ({ ...point, color })));
   const seeds = organs.flatMap(({ seed, color }) => (seed ? [{ ...seed, color }] : []));
   const spheres = further.map(({ position, radius, color }) => ({ center: position, radius: radius ?? 0, color }));
   const points = further.filter(({ kind }) => kind !== "seed");
-  const isDot = (point: (typeof points)[number]) =>
-    points.some((other) => other !== point && other.kind === point.kind && distanceBetween(other.position, point.position) < close);
+  const isDot = ({ kind, position }: (typeof points)[number]) =>
+    points.some((other) => other.kind === kind && other.position !== position && distanceBetween(other.position, position) < close);
   const asking = organs.find(({ questions }) => questions.length > 0);
   return {
     seeds: [...seeds, ...spheres.filter(({ radius }) => radius > 0)].map((seed) => ({ ...seed, center: swapped(seed.center) })),

@@ -3,7 +3,18 @@ import type { Niivue } from "@niivue/niivue";
 import { doubtfulVertexConfidence } from "../flipfree/index.js";
 import { crossSection, partsBelow } from "./crosssection.js";
 import { type ShownQuestions, drawQuestions } from "./questionmarks.js";
-import { type Point, type Tile, axes, distanceOf, fadesWithin, pixelAt, pixelsPerMillimeter, positionOf, sidesOf, slicesOf } from "./tiles.js";
+import {
+  type Point,
+  type Tile,
+  axes,
+  distanceOf,
+  fadesWithin,
+  pixelAt,
+  pixelsPerMillimeter,
+  positionOf,
+  sidesOf,
+  slicesOf,
+} from "./tiles.js";
 import { type ShownVoxels, voxelPath } from "./voxels.js";
 
 export interface ShownSurface {

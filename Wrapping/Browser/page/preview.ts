@@ -1,24 +1,24 @@
 /** Before the click: what it would add or take, while the pointer moves; and what the chosen question is about. Of the places
  * that the pointer passes, the worker is asked for one at a time, the latest. */
-import { type Organ, type Preview, type Triple, type Vessel, FlipFreeError } from "../flipfree/index.js";
+import { FlipFreeError, type Organ, type Preview, type Triple } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import type { StrokeKind } from "./overlay.js";
 import { showHint } from "./panel.js";
 import { chosenQuestionOf, questionsOf, volumeText } from "./questions.js";
-import { lastResult } from "./runs.js";
+import { keptOrgan } from "./runs.js";
 
 interface Target {
   kind: StrokeKind;
   place: Triple;
-  result: Organ | Vessel;
+  result: Organ;
   isClick: boolean;
 }
 
-/** Null also where the kernels keep another result, such as before an undo. */
+/** Null also where the kernels keep another result, such as after an undo. */
 function targetAt(hovered: Triple | null): Target | null {
-  const { result } = organs.chosen;
+  const result = keptOrgan;
   const { tool } = view;
-  if (!result || result !== lastResult || app.running) {
+  if (!result || result !== organs.chosen.result || app.running) {
     return null;
   }
   if (hovered && (tool === "inside" || tool === "outside")) {

@@ -1,4 +1,5 @@
-/** Questions on the slices: a mark at the place of each; on the slice under the pointer, Yes and No beside that of the chosen one. */
+/** Questions on the slices: a mark at the place of each, and on the slice under the pointer Yes and No beside that of the chosen
+ * one. */
 import { type Point, type Tile, distanceOf, fadesWithin, pixelAt } from "./tiles.js";
 
 export interface ShownQuestions {
@@ -47,8 +48,9 @@ function badgesOf(tile: Tile, { questions, chosenQuestion, pointed, nearby }: Sh
   const marks = questions.flatMap((place, question): Badge[] => {
     const distance = distanceOf(tile, place);
     const [x, y] = pixelAt(tile, place);
-    const at = { left: x - height / 2, top: y - height / 2, width: height, height };
-    return distance <= Math.max(nearby, fadesWithin) ? [{ question, isOrgan: null, text: "?", ...at, isNear: distance <= nearby }] : [];
+    const box = { left: x - height / 2, top: y - height / 2, width: height, height };
+    const isShown = distance <= Math.max(nearby, fadesWithin);
+    return isShown ? [{ question, isOrgan: null, text: "?", ...box, isNear: distance <= nearby }] : [];
   });
   const own = marks.filter(({ question }) => question === chosenQuestion);
   const answers = pointed === tile.axCorSag ? own.flatMap((mark) => answersOf(tile, mark)) : [];

@@ -7,18 +7,26 @@ import type { Session } from "./session.js";
 import { complain, say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
-/** What the kernels keep. */
-export let lastResult: Organ | Vessel | null = null;
+/** The organ of which the kernels keep what its corrections do not change. */
+export let keptOrgan: Organ | null = null;
 
 async function find(organ: OrganState, signal: AbortSignal): Promise<Organ | Vessel> {
   const { image } = app.opened!;
   const { kind, preset, parameters, seed, start, points } = organ;
   const options = { parameters, signal, onProgress: showProgress };
-  const result = await (kind === "vessel"
-    ? flipfree.trace(image, points, options)
-    : flipfree.segment(image, (seed ?? start)!, { ...options, preset, ...correctionsOf(organ) }));
-  lastResult = result;
-  return result;
+  try {
+    if (kind === "vessel") {
+      return await flipfree.trace(image, points, options);
+    }
+    keptOrgan = await flipfree.segment(image, (seed ?? start)!, { ...options, preset, ...correctionsOf(organ) });
+    return keptOrgan;
+  } catch (error) {
+    // Points that are refused leave it; another organ does not, and a worker that was stopped keeps nothing.
+    if (signal.aborted || (kind === "organ" && organ.result !== keptOrgan)) {
+      keptOrgan = null;
+    }
+    throw error;
+  }
 }
 
 /** Finds an organ, shows it, and says how long it took. */

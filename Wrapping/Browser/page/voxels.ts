@@ -21,7 +21,8 @@ export function voxelPath(niivue: Niivue, tile: Tile, { runs, grid }: ShownVoxel
   const slice = Math.round(offset / grid.spacing[fixed] ** 2);
 
   const path = new Path2D();
-  const pixelOf = (index: number[]) => pixelAt(tile, rows.map((row) => row[3] + index.reduce((sum, value, axis) => sum + row[axis] * value, 0)));
+  const placeOf = (index: number[]) => rows.map((row) => row[3] + index.reduce((sum, value, axis) => sum + row[axis] * value, 0));
+  const pixelOf = (index: number[]) => pixelAt(tile, placeOf(index));
   for (let run = 0; run < runs.length; run += 4) {
     const [j, k, begin, end] = runs.subarray(run, run + 4);
     if (fixed === 0 ? slice < begin || slice >= end : (fixed === 1 ? j : k) !== slice) {
