@@ -1,6 +1,6 @@
 /** Visiting and answering questions, in the list, on the slices and by keys. An answer is a point: inside for yes, outside for
  * no. */
-import { organs, view } from "./app.js";
+import { app, organs, view } from "./app.js";
 import { viewedOrgans } from "./panel.js";
 import { updatePreview } from "./preview.js";
 import { chosenQuestionOf, chooseQuestion, questionActions, questionText, questionsOf } from "./questions.js";
@@ -41,6 +41,9 @@ function toggle(at: number): void {
 }
 
 function answer(at: number, isOrgan: boolean): void {
+  if (app.running) {
+    return;
+  }
   const { place } = questionsOf(organs.chosen)[at];
   choose(-1); // undo brings the question back, not the choice
   view.crosshair = [...place];
