@@ -67,37 +67,55 @@ export async function segment() {
   assert.equal(await page.textContent("#error"), "");
 }
 
-/** Pixels of the overlay that have a color, in the four quarters. */
-export function coloredPixels(color) {
-  return page.evaluate((wanted) => {
+/** Of the overlay's pixels that have a color and an opacity, in each of the four quarters: how many there are, and the middle of the
+ * box around them, in pixels of the page. */
+function colored(color, [least, greatest]) {
+  return page.evaluate(([wanted, least, greatest]) => {
     const overlay = document.getElementById("overlay");
+    const { left, top } = overlay.getBoundingClientRect();
     const { data, width } = overlay.getContext("2d").getImageData(0, 0, overlay.width, overlay.height);
-    const quarters = [0, 0, 0, 0];
+    const quarters = [0, 1, 2, 3].map(() => ({ count: 0, x: [], y: [] }));
     for (let pixel = 0; pixel < data.length / 4; ++pixel) {
-      if (wanted.every((value, channel) => Math.abs(data[4 * pixel + channel] - value) < 20) && data[4 * pixel + 3] > 200) {
-        const isRight = pixel % width >= width / 2;
-        const isLow = Math.floor(pixel / width) >= overlay.height / 2;
-        ++quarters[2 * isLow + isRight];
+      const opacity = data[4 * pixel + 3];
+      if (wanted.every((value, channel) => Math.abs(data[4 * pixel + channel] - value) < 20) && opacity >= least && opacity <= greatest) {
+        const [x, y] = [pixel % width, Math.floor(pixel / width)];
+        const quarter = quarters[2 * (y >= overlay.height / 2) + (x >= width / 2)];
+        ++quarter.count;
+        quarter.x.push(x);
+        quarter.y.push(y);
       }
     }
-    return quarters;
-  }, color);
+    const middle = (values) => values.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [1e9, 0]).reduce((a, b) => a + b) / 2;
+    return quarters.map(({ count, x, y }) => ({ count, middle: [left + middle(x), top + middle(y)] }));
+  }, [color, least, greatest]);
 }
+
+const opaque = [201, 255];
+const translucent = [60, 120];
+export const coloredPixels = async (color) => (await colored(color, opaque)).map(({ count }) => count);
+export const middleOf = async (color, quarter) => (await colored(color, opaque))[quarter].middle;
+
+/** Of what a click would add or take, which is translucent. */
+export const filledPixels = async (color) => (await colored(color, translucent)).map(({ count }) => count);
+export const filledMiddle = async (color, quarter) => (await colored(color, translucent))[quarter].middle;
 
 export const yellow = [255, 210, 74]; // the first organ's
 export const green = [143, 227, 136]; // the second's
 export const blue = [64, 153, 255]; // of doubtful places
+export const magenta = [255, 92, 225]; // of questions
+export const added = [46, 230, 107]; // by a click, or a stroke of inside points
+export const taken = [255, 77, 77];
 
 export async function corrected() {
   await page.waitForFunction(() => /^Corrected/.test(document.getElementById("status").textContent) || document.getElementById("error").textContent, null, { timeout: 120_000 });
   assert.equal(await page.textContent("#error"), "");
 }
 
-/** The button of doubtful places is whole in sight, in the part of the panel that scrolls. */
-export const nextFits = () =>
+/** The first question is whole in sight, in the part of the panel that scrolls. */
+export const questionFits = () =>
   page.evaluate(() => {
-    const [next, part] = ["next-doubt", "run-controls"].map((id) => document.getElementById(id).getBoundingClientRect());
-    return next.height > 10 && next.top >= part.top && next.bottom <= part.bottom;
+    const [row, part] = ["#questions li", "#run-controls"].map((selector) => document.querySelector(selector).getBoundingClientRect());
+    return row.height > 10 && row.top >= part.top && row.bottom <= part.bottom;
   });
 
 /** All of the panel is to be seen at 1280 x 720. */
@@ -107,8 +125,11 @@ export const chooseTool = (tool) => page.locator(`[name=tool][value=${tool}]`).c
 export const volume = async () => Number((await page.textContent("#result")).match(/([\d.]+) ml/)[1]);
 export const countPoints = () => page.locator("#points li").count();
 
-/** Clicks in a quarter of the slices, at parts of its width and height. */
-export async function clickAt(column, row, x, y) {
+/** A place in a quarter of the slices, by parts of its width and height, in pixels of the page. */
+async function pixelOf(column, row, x, y) {
   const box = await page.locator("#overlay").boundingBox();
-  await page.mouse.click(box.x + ((column + x) * box.width) / 2, box.y + ((row + y) * box.height) / 2);
+  return [box.x + ((column + x) * box.width) / 2, box.y + ((row + y) * box.height) / 2];
 }
+
+export const clickAt = async (...place) => page.mouse.click(...(await pixelOf(...place)));
+export const pointAt = async (...place) => page.mouse.move(...(await pixelOf(...place)), { steps: 3 });

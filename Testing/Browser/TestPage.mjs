@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { dicomFiles } from "./Dicom.mjs";
 import {
+  added,
   blue,
   chooseTool,
   chromium,
@@ -14,20 +15,26 @@ import {
   corrected,
   countPoints,
   errorText,
+  filledMiddle,
+  filledPixels,
   green,
-  nextFits,
+  magenta,
+  middleOf,
   numberIn,
   open,
   openPage,
   page,
   panelFits,
   picture,
+  pointAt,
+  questionFits,
   result,
   saved,
   scratch,
   segment,
   server,
   status,
+  taken,
   typeSeed,
   volume,
   yellow,
@@ -186,14 +193,13 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   const places = () => page.$$eval("#points input", (inputs) => inputs.map((one) => one.value));
   const valid = await places();
   for (const [axis, at] of ["Left", "Posterior", "Superior"].entries()) {
-    await page.keyboard.press("n");
+    await page.keyboard.press("v");
     await page.fill(`[aria-label='${at} of point 1, mm']`, axis === 0 ? "9999" : "");
     await page.press(`[aria-label='${at} of point 1, mm']`, "Tab");
   }
   assert.match(await errorText(), /The outside point \(9999.* mm lies outside the image, which spans /);
   assert.match(await page.textContent("#error"), /\(9999(, \d+(\.\d)?){2}\) mm/); // to a tenth of a millimeter
   await picture("refused");
-  assert.ok(await nextFits());
   await page.click("#add-organ"); // the list is made anew
   await page.click("#undo");
   assert.deepEqual(await places(), valid);
@@ -225,34 +231,199 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   assert.equal(await volume(), before);
 });
 
-test("doubtful places are blue and shown one by one, and the number and the warning say so", async () => {
-  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % of the surface doubtful/); // nothing is called good
+test("doubtful places are blue, and the number and the warning say so", async () => {
+  assert.match(await page.textContent("#result"), /Confidence0\.9\dBoundary\d+ % doubtful \(blue\)/); // nothing is called good
   assert.equal(await page.textContent("#warnings"), "");
   await page.click("#add-organ");
-  await page.selectOption("#phantom-seed", "7");
-  await segment();
-  await page.click("#next-doubt");
-  await status("Doubtful place 1 of");
-  await picture("places");
   await page.selectOption("#phantom-seed", "8");
   await segment();
-  assert.match(await page.textContent("#result"), /Confidence0\.(?:[4-7]\d|8[0-4]), doubtful; [1-9]\d* % of the surface doubtful/);
+  assert.match(await page.textContent("#result"), /Confidence0\.(?:[4-7]\d|8[0-4]), doubtfulBoundary[1-9]\d* % doubtful/);
   assert.match(await page.textContent("#warnings"), /its confidence is 0\.\d\d, below 0\.85; look at the contour where it is blue, and correct it there/);
+  assert.doesNotMatch(await page.textContent("#warnings"), /Is the part/);
   // The aorta goes on where the surface ends.
-  await page.click("#next-doubt");
-  await status("Doubtful place 1 of");
+  await page.keyboard.press("q");
+  await status("Question 1 of");
   assert.ok((await coloredPixels(blue)).slice(0, 3).reduce((sum, pixels) => sum + pixels, 0) > 40);
   assert.equal((await coloredPixels(blue))[3], 0);
-  assert.match(await page.textContent("#doubts"), /^Blue: weak boundary/);
   await picture("doubtful");
-  assert.ok(await nextFits());
-  const count = Number((await page.textContent("#status")).match(/of (\d+)/)[1]);
-  assert.ok(count > 1 && count < 20, `${count}`);
-  for (let place = 2; place <= count + 1; ++place) {
-    await page.keyboard.press("d");
-    await status(`Doubtful place ${place > count ? 1 : place} of ${count}.`);
+  assert.ok(await questionFits());
+  const count = await page.locator("#questions li").count();
+  assert.ok(count > 1 && count <= 5, `${count}`);
+  for (let question = 2; question <= count + 1; ++question) {
+    await page.keyboard.press("q");
+    await status(`Question ${question > count ? 1 : question} of ${count}: Is this part of`);
   }
   await page.click("[aria-label='Remove aorta']");
+});
+
+const hint = () => page.textContent("#hint");
+const waitForHint = (text) => page.waitForFunction((wanted) => document.getElementById("hint").textContent.startsWith(wanted), text, { timeout: 60_000 });
+const fieldsOf = (field) => page.$$eval(`#points [aria-label^="${field} of point"]`, (fields) => fields.map(({ value }) => value));
+const places = async () => {
+  const [x, y, z] = await Promise.all(["Left", "Posterior", "Superior"].map(fieldsOf));
+  return x.map((value, at) => [Number(value), Number(y[at]), Number(z[at])]);
+};
+const filled = async (color) => (await filledPixels(color)).slice(0, 3);
+
+/** Previews come when the worker has them. */
+async function until(isTrue) {
+  for (let waited = 0; !(await isTrue()); ++waited) {
+    assert.ok(waited < 100);
+    await page.waitForTimeout(50);
+  }
+}
+
+test("a question on the slices and in the list, answered by mouse and keys, and undone", async () => {
+  await page.selectOption("#phantom-seed", "6");
+  await segment();
+  const before = await volume();
+  assert.match(await page.textContent("#asking-title"), /^Is this part liver\?/);
+  assert.match(await page.textContent("#questions"), /^4\d ml left out, L 230 P 90 S 183YesNo$/);
+  assert.deepEqual(await coloredPixels(magenta), [0, 0, 0, 0]); // the slices are those of the seed
+  assert.ok(await questionFits());
+
+  // The list shows the place; the part is filled on the slices, and no other place is.
+  await page.click("#questions button >> nth=0");
+  assert.match(await page.textContent("#status"), /^Question 1 of 1: Is this part of 4\d ml liver\? It is left out\. Y or N answers\.$/);
+  const marked = await coloredPixels(magenta);
+  assert.ok(marked.slice(0, 3).every((pixels) => pixels > 100 && pixels < 400), `${marked}`);
+  assert.equal(marked[3], 0);
+  await until(async () => (await filled(added)).every((pixels) => pixels > 100));
+  assert.ok(await panelFits());
+
+  // The mark hides its question, and shows it again, with Yes and No on the slice under the pointer.
+  const mark = await middleOf(magenta, 0);
+  await page.mouse.click(...mark);
+  assert.deepEqual(await filled(added), [0, 0, 0]);
+  await page.mouse.click(...mark);
+  const [axial, coronal] = await coloredPixels(magenta);
+  assert.ok(axial > 3 * coronal, `${axial}, ${coronal}`);
+  await until(async () => (await filled(added)).every((pixels) => pixels > 100));
+  await picture("question");
+  await page.mouse.click(mark[0] + 30, mark[1]); // Yes
+  await corrected();
+  const larger = await volume();
+  console.log(`The liver after Yes: ${before} to ${larger} ml`);
+  assert.ok(larger > before + 25);
+  assert.deepEqual(await places(), [[229.5, 90, 183]]);
+  assert.deepEqual(await fieldsOf("Kind"), ["inside"]);
+  assert.ok(!(await page.isVisible("#asking")));
+  assert.deepEqual(await coloredPixels(magenta), [0, 0, 0, 0]);
+  await picture("answered");
+
+  // No by keys is an outside point, of which nothing changes; both are undone at once.
+  await page.keyboard.press("Control+z");
+  assert.equal(await volume(), before);
+  await page.keyboard.press("n"); // no question is chosen
+  await page.keyboard.press("y");
+  assert.equal(await countPoints(), 0);
+  await page.keyboard.press("q");
+  await page.keyboard.press("n");
+  await corrected();
+  assert.deepEqual(await fieldsOf("Kind"), ["outside"]);
+  assert.ok(Math.abs((await volume()) - before) < 2, `${await volume()} ml`);
+  assert.ok(!(await page.isVisible("#asking")));
+  await page.click("#undo");
+
+  // By the keyboard alone.
+  await page.locator("#questions button").first().focus();
+  await page.keyboard.press("Enter");
+  await status("Question 1 of 1");
+  await page.keyboard.press("Tab");
+  assert.match(await page.evaluate(() => document.activeElement.ariaLabel), /^Yes, 4\d ml left out, L 230 P 90 S 183$/);
+  await page.keyboard.press("Enter");
+  await corrected();
+  assert.equal(await volume(), larger);
+  await page.click("#undo");
+});
+
+test("before a click, what it would add or take: on the slices, by the pointer, and in words", async () => {
+  await page.selectOption("#phantom-seed", "6");
+  await segment();
+  await page.keyboard.press("q");
+  const tip = await middleOf(magenta, 0);
+  await page.keyboard.press("i");
+  await page.mouse.move(tip[0] + 10, tip[1] - 15, { steps: 5 }); // in the part, beside the mark
+  await until(async () => /^A click here adds [45]\d ml\.$/.test(await hint()));
+  assert.ok((await filled(added))[0] > 100);
+  const [, milliliters] = (await hint()).match(/adds ([\d.]+) ml\.$/);
+  const before = await volume();
+  await picture("preview");
+  await page.mouse.down();
+  await page.mouse.up();
+  await corrected();
+  console.log(`A click that was to add ${milliliters} ml: ${before} to ${await volume()} ml`);
+  assert.ok((await volume()) - before > 0.5 * Number(milliliters));
+  // The pointer rests; the point is there, and its part is in.
+  await waitForHint("Nothing would change here");
+  assert.deepEqual(await filled(added), [0, 0, 0]);
+
+  await page.keyboard.press("o"); // without moving: at the very place of the inside point
+  await waitForHint("No point can be placed here");
+  await pointAt(0, 0, 0.32, 0.6);
+  await waitForHint("A click here takes away");
+  assert.ok((await filled(taken))[0] > 20, `${await hint()} ${await filled(taken)}`);
+  await picture("preview-outside");
+  await pointAt(1, 1, 0.5, 0.5); // on no slice
+  await waitForHint("Click or paint where it took in");
+  assert.deepEqual(await filled(taken), [0, 0, 0]);
+  await page.click("#undo");
+  // The kernels keep another result than that which is shown, and, of a run that was stopped, none.
+  await pointAt(0, 0, 0.32, 0.6);
+  await waitForHint("Click or paint where it took in");
+  await page.click("#run");
+  await status("Segmented");
+  await pointAt(0, 0, 0.32, 0.6);
+  await waitForHint("A click here takes away");
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.keyboard.press("Escape");
+  await status("Canceled");
+  assert.equal(await countPoints(), 0);
+  await pointAt(0, 0, 0.33, 0.6);
+  await page.waitForTimeout(500);
+  assert.match(await hint(), /^Click or paint where it took in/);
+});
+
+test("a stroke paints points, in one step", async () => {
+  await page.selectOption("#phantom-seed", "6");
+  await typeSeed(seed);
+  await segment();
+  const before = await volume();
+  await page.keyboard.press("o");
+  await pointAt(0, 0, 0.19, 0.5);
+  await page.mouse.down();
+  await pointAt(0, 0, 0.2, 0.56);
+  await pointAt(0, 0, 0.23, 0.62);
+  const painted = await coloredPixels(taken);
+  assert.ok(painted[0] > 100 && painted.slice(1).every((pixels) => pixels === 0), `${painted}`);
+  assert.equal(await countPoints(), 0);
+  await picture("stroke");
+  await page.mouse.up();
+  await corrected();
+  assert.equal((await coloredPixels(taken))[0], 0);
+  const points = await places();
+  const steps = points.slice(1).map((point, at) => Math.hypot(...point.map((value, axis) => value - points[at][axis])));
+  console.log(`A stroke of ${points.length} points, ${Math.min(...steps).toFixed(1)} to ${Math.max(...steps).toFixed(1)} mm: ${before} to ${await volume()} ml`);
+  assert.ok(points.length > 5 && steps.every((step) => step > 2.5 && step < 4.5), `${steps}`);
+  assert.ok(points.every(([, , z]) => z === points[0][2]));
+  assert.ok((await fieldsOf("Kind")).every((kind) => kind === "outside"));
+  assert.ok((await volume()) < before - 0.5);
+  assert.ok(await panelFits());
+  await page.click("#undo");
+  assert.equal(await countPoints(), 0);
+  assert.equal(await volume(), before);
+  await page.click("#redo");
+  assert.equal(await countPoints(), points.length);
+  await page.click("#undo");
+  // A hand that trembles clicks.
+  await pointAt(0, 0, 0.19, 0.5);
+  await page.mouse.down();
+  await pointAt(0, 0, 0.1915, 0.5);
+  await page.mouse.up();
+  await corrected();
+  assert.equal(await countPoints(), 1);
+  await page.click("#undo");
 });
 
 test("a further seed by mouse: drawn, obeyed, edited, in the session and in the command's", async () => {
@@ -272,7 +443,7 @@ test("a further seed by mouse: drawn, obeyed, edited, in the session and in the 
   const dragged = Number(await radius.inputValue());
   assert.ok(dragged > 8 && dragged < 28, `${dragged}`);
   assert.ok(await panelFits());
-  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % of the surface doubtful/); // no threshold holds once points correct it
+  assert.match(await page.textContent("#result"), /Confidence0\.9\dBoundary\d+ % doubtful/); // no threshold holds once points correct it
   await picture("further-seed");
   // Clicked without dragging, it has the former's radius.
   await page.mouse.click(x, y + 30);
@@ -408,7 +579,7 @@ test("keyboard and windows", async () => {
 
   // Navigating moves no seed; C takes the place.
   const before = await numberIn("#seed-x");
-  await page.keyboard.press("n");
+  await page.keyboard.press("v");
   await page.mouse.click(box.x + 0.2 * box.width, box.y + 0.25 * box.height);
   assert.equal(await numberIn("#seed-x"), before);
   await page.keyboard.press("ArrowRight"); // to the center of a voxel
@@ -447,6 +618,14 @@ test("the same organ from NRRD, MetaImage and DICOM, in an oblique volume", asyn
     assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.999, `${name}: ${printed}`);
     command(scratch, "segment", "--session", await saved("#save-session"), "-o", "repeated.stl");
   }
+  // What an outside point would take lies within the contour, though the grid is oblique.
+  await page.keyboard.press("o");
+  const [x, y] = await middleOf(yellow, 0);
+  await page.mouse.move(x + 40, y, { steps: 3 });
+  await waitForHint("A click here takes away");
+  const [filledX, filledY] = await filledMiddle(taken, 0);
+  assert.ok(Math.hypot(filledX - x, filledY - y) < 60, `${filledX}, ${filledY} of ${x}, ${y}`);
+  await picture("oblique");
   // The command's label map, whose rows are in another order than the page's of the same series.
   await page.setInputFiles("#labels", result("oblique.nii.gz"));
   await status("Choose the label");
@@ -477,7 +656,8 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   await segment();
   assert.match(await page.textContent("#result"), /Vessel\d+ mm long, radius [34]\.\d mm/);
   assert.ok((await coloredPixels(green))[1] > 200);
-  assert.ok(!(await page.isVisible("#next-doubt"))); // a vessel has no confidence
+  assert.doesNotMatch(await page.textContent("#result"), /Confidence|Boundary/);
+  assert.ok(!(await page.isVisible("#asking")));
   await picture("vessel");
   const found = readNiftiFile(await saved("#save-labels")).voxels;
   assert.ok(dice(found, readNiftiFile(result("vessel-truth.nii.gz")).voxels) > 0.85);

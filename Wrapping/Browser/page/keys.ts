@@ -1,10 +1,10 @@
 /** What keys do. */
+import { answerChosen, visitNextQuestion } from "./answering.js";
 import { app, organs, view } from "./app.js";
 import { element } from "./dom.js";
 import { setWindow } from "./images.js";
 import { chooseTool, showAll } from "./panel.js";
 import { placeHere, resizeSeed } from "./placing.js";
-import { visitDoubt } from "./result.js";
 import { segment } from "./runs.js";
 import { say } from "./status.js";
 import { cancel } from "./work.js";
@@ -32,9 +32,11 @@ const keys: Record<string, () => void> = {
   o: () => chooseTool("outside"),
   b: () => chooseTool("boundary"),
   p: () => chooseTool("point"),
-  n: () => chooseTool("navigate"),
+  v: () => chooseTool("navigate"),
   c: placeHere,
-  d: visitDoubt,
+  q: visitNextQuestion,
+  y: () => answerChosen(true),
+  n: () => answerChosen(false),
   "+": () => resizeSeed(1),
   "-": () => resizeSeed(-1),
   z: () => view.zoomBy(1.25),

@@ -1,4 +1,5 @@
 /** The page: what its buttons and files do. */
+import { listenToQuestions } from "./answering.js";
 import { organs } from "./app.js";
 import { button, element, input, select } from "./dom.js";
 import { droppedFiles } from "./drop.js";
@@ -6,7 +7,7 @@ import { openFiles, openLabels, openPhantom, setWindow, takePhantomSeed, takeSta
 import { listenToKeys, redo, undo } from "./keys.js";
 import { chooseTool, refresh, showAll } from "./panel.js";
 import { listenToPlaces } from "./placing.js";
-import { visitDoubt } from "./result.js";
+import { listenToPointer } from "./preview.js";
 import { segment } from "./runs.js";
 import { saveLabels, saveSession, saveSurface } from "./saving.js";
 import { complain } from "./status.js";
@@ -63,7 +64,6 @@ function listenToControls(): void {
     redo,
     run: () => void segment(),
     cancel,
-    "next-doubt": visitDoubt,
     "save-surface": () => void saveSurface(),
     "save-labels": () => void saveLabels(),
     "save-session": saveSession,
@@ -80,6 +80,8 @@ setTheme(window.matchMedia("(prefers-color-scheme: light)").matches);
 listenToFiles();
 listenToControls();
 listenToPlaces();
+listenToQuestions();
+listenToPointer();
 listenToKeys();
 showAll();
 document.documentElement.dataset.ready = "true";

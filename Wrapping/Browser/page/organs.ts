@@ -43,7 +43,7 @@ interface State {
   chosen: number;
 }
 
-/** None like the blue of doubtful places. */
+/** None like the blue of doubtful places, or the magenta of questions. */
 const colors = ["#ffd24a", "#8fe388", "#ff8a7a", "#d9a0ff", "#ffb347", "#ff9ed2", "#c8e65a", "#e6cfa8"];
 
 /** Whether a session holds all that a run needs. */

@@ -2,7 +2,20 @@
 import type { Niivue } from "@niivue/niivue";
 import { doubtfulVertexConfidence } from "../flipfree/index.js";
 import { crossSection, partsBelow } from "./crosssection.js";
-import { type Point, type Tile, axes, depthAt, pixelAt, pixelsPerMillimeter, positionOf, sidesOf, slicesOf } from "./tiles.js";
+import { type ShownQuestions, drawQuestions } from "./questionmarks.js";
+import {
+  type Point,
+  type Tile,
+  axes,
+  distanceOf,
+  fadesWithin,
+  pixelAt,
+  pixelsPerMillimeter,
+  positionOf,
+  sidesOf,
+  slicesOf,
+} from "./tiles.js";
+import { type ShownVoxels, voxelPath } from "./voxels.js";
 
 export interface ShownSurface {
   points: Float64Array; // RAS
@@ -24,18 +37,41 @@ export interface ShownPoint {
   kind: string;
   place: Point; // RAS
   color: string;
+  /** Of a stroke, or as close to another one: as a dot, it hides less. */
+  isDot: boolean;
 }
 
-export interface Marks {
+/** What is being painted. */
+export interface ShownStroke {
+  kind: StrokeKind;
+  path: Point[]; // RAS
+  /** On which slice, as NiiVue calls it. */
+  slice: number;
+}
+
+export type StrokeKind = "inside" | "outside";
+
+/** What a point would add or take. */
+export interface ShownPreview extends ShownVoxels {
+  kind: StrokeKind;
+  place: Point; // RAS
+  /** Beside the place, on the slice under the pointer. */
+  label: string;
+}
+
+export interface Marks extends ShownQuestions {
   surfaces: ShownSurface[];
   seeds: ShownSeed[];
   points: ShownPoint[];
-  /** A point at most this far from a slice is on it, in mm. */
-  nearby: number;
+  stroke: ShownStroke | null;
+  preview: ShownPreview | null;
 }
 
 /** Of doubtful places, whatever the organ's color. */
 export const doubtColor = "#4099ff";
+
+/** Of what a click or a stroke adds or takes. */
+const changeColors: Record<StrokeKind, string> = { inside: "#2ee66b", outside: "#ff4d4d" };
 
 type Context = CanvasRenderingContext2D;
 
@@ -64,14 +100,6 @@ function drawContour(context: Context, niivue: Niivue, tile: Tile, surface: Show
   drawSegments(context, tile, partsBelow(segments, doubtfulVertexConfidence), doubtColor, 1.5 * width);
 }
 
-/** How far a point is from a slice, in mm. */
-function distanceOf(tile: Tile, point: Point): number {
-  const { right, up, away } = axes(tile);
-  const plane = tile.AxyzMxy;
-  const depth = depthAt(tile, point[right], point[up]);
-  return Math.abs(depth - point[away]) / Math.hypot(1, plane[3], plane[4]);
-}
-
 /** The circle in which the slice cuts the sphere. */
 function drawSeed(context: Context, tile: Tile, { center, radius, color }: ShownSeed): void {
   const distance = distanceOf(tile, center);
@@ -90,16 +118,14 @@ function drawSeed(context: Context, tile: Tile, { center, radius, color }: Shown
   context.fillRect(x - 2, y - 2, 4, 4);
 }
 
-const fadesWithin = 10; // mm from the slice
-
-/** A disk with a sign of its kind, a diamond on the boundary; fainter beside the slice. */
-function drawPoint(context: Context, tile: Tile, { kind, place, color }: ShownPoint, nearby: number): void {
+/** A disk with a sign of its kind, a diamond on the boundary, a dot; fainter beside the slice. */
+function drawPoint(context: Context, tile: Tile, { kind, place, color, isDot }: ShownPoint, nearby: number): void {
   const distance = distanceOf(tile, place);
   if (distance > Math.max(nearby, fadesWithin)) {
     return;
   }
   const [x, y] = pixelAt(tile, place);
-  const size = 6.5 * window.devicePixelRatio;
+  const size = (isDot ? 3 : 6.5) * window.devicePixelRatio;
   context.save();
   context.globalAlpha = distance <= nearby ? 1 : 0.35;
   context.translate(x, y);
@@ -120,12 +146,50 @@ function drawPoint(context: Context, tile: Tile, { kind, place, color }: ShownPo
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.font = `700 ${1.7 * size}px system-ui, sans-serif`;
-  context.fillText({ inside: "+", outside: "−", boundary: "" }[kind] ?? kind, 0, 0.1 * size);
+  context.fillText(isDot ? "" : ({ inside: "+", outside: "−", boundary: "" }[kind] ?? kind), 0, 0.1 * size);
   context.restore();
 }
 
+function drawPreview(context: Context, niivue: Niivue, tile: Tile, preview: ShownPreview): void {
+  context.save();
+  context.fillStyle = changeColors[preview.kind];
+  context.globalAlpha = 0.35;
+  context.fill(voxelPath(niivue, tile, preview));
+  context.restore();
+}
+
+/** Below and beside the pointer. */
+function drawLabel(context: Context, tile: Tile, { kind, place, label }: ShownPreview): void {
+  const size = 14 * window.devicePixelRatio;
+  const [x, y] = pixelAt(tile, place);
+  const [left, , width] = tile.leftTopWidthHeight;
+  const isRight = x < left + 0.75 * width;
+  context.font = `600 ${size}px system-ui, sans-serif`;
+  context.fillStyle = changeColors[kind];
+  write(context, label, x + (isRight ? size : -size), y + 1.3 * size, isRight ? "left" : "right");
+}
+
+function drawStroke(context: Context, tile: Tile, { kind, path }: ShownStroke): void {
+  context.save();
+  context.lineWidth = 5 * window.devicePixelRatio;
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  context.strokeStyle = changeColors[kind];
+  context.globalAlpha = 0.8;
+  context.beginPath();
+  context.moveTo(...pixelAt(tile, path[0]));
+  path.forEach((point) => context.lineTo(...pixelAt(tile, point)));
+  context.stroke();
+  context.restore();
+}
+
+/** In front of any gray. */
 function write(context: Context, text: string, x: number, y: number, align: CanvasTextAlign): void {
   context.textAlign = align;
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = 3.5 * window.devicePixelRatio;
+  context.strokeStyle = "#000";
   context.strokeText(text, x, y);
   context.fillText(text, x, y);
 }
@@ -134,10 +198,6 @@ function drawText(context: Context, niivue: Niivue, tile: Tile, captions: string
   const [left, top, width, height] = tile.leftTopWidthHeight;
   const size = 14 * window.devicePixelRatio;
   const gap = size / 2;
-  context.textBaseline = "middle";
-  context.lineJoin = "round";
-  context.lineWidth = size / 4;
-  context.strokeStyle = "#000";
   context.fillStyle = "#f2f2f2";
   context.font = `600 ${size}px system-ui, sans-serif`;
   const [onLeft, onRight, below, above] = sidesOf(tile);
@@ -174,9 +234,19 @@ export function drawOverlay(overlay: HTMLCanvasElement, niivue: Niivue, marks: M
     context.beginPath();
     context.rect(...(tile.leftTopWidthHeight.slice(0, 4) as [number, number, number, number]));
     context.clip();
+    if (marks.preview) {
+      drawPreview(context, niivue, tile, marks.preview);
+    }
     marks.surfaces.forEach((surface) => drawContour(context, niivue, tile, surface));
     marks.seeds.forEach((seed) => drawSeed(context, tile, seed));
     marks.points.forEach((point) => drawPoint(context, tile, point, marks.nearby));
+    if (marks.stroke?.slice === tile.axCorSag) {
+      drawStroke(context, tile, marks.stroke);
+    }
+    if (marks.preview && marks.pointed === tile.axCorSag) {
+      drawLabel(context, tile, marks.preview);
+    }
+    drawQuestions(context, tile, marks);
     drawText(context, niivue, tile, index === 0 ? captions : []);
     context.restore();
   });

@@ -2,17 +2,19 @@
 import type { Seed } from "../flipfree/index.js";
 import { app, organs, view } from "./app.js";
 import { button, element, input, select } from "./dom.js";
+import type { ViewedOrgan } from "./marks.js";
 import { showOrgans } from "./organlist.js";
 import { type OrganState, canRepeat, canRun } from "./organs.js";
 import { showPoints } from "./pointlist.js";
+import { chosenQuestionOf, questionsOf, showQuestions } from "./questions.js";
 import { showResult } from "./result.js";
-import type { Tool, ViewedOrgan } from "./view.js";
+import type { Tool } from "./view.js";
 
 const hints: Record<Tool, string> = {
   seed: "Click in the organ, drag to its boundary. Keep vessels and other organs out of the circle, in all three slices.",
   further: "Click where the organ was missed, drag to its boundary.",
-  inside: "Click where the organ was missed.",
-  outside: "Click where it took in something else.",
+  inside: "Click or paint where the organ was missed.",
+  outside: "Click or paint where it took in too much.",
   boundary: "Click on the organ's boundary.",
   point: "Click at both ends and, where the vessel winds, in between.",
   navigate: "Click to move the cross-hair.",
@@ -47,6 +49,11 @@ export function leaveSeedTool(): void {
   }
 }
 
+/** What a click does: what the tool is for, or what it would do where the pointer is. */
+export function showHint(text = hints[chosenTool()]): void {
+  element("hint").textContent = text;
+}
+
 /** Tools that the chosen organ has no use for are not shown or cannot be chosen. */
 function refreshTools(): void {
   const isVessel = organs.chosen.kind === "vessel";
@@ -57,7 +64,7 @@ function refreshTools(): void {
   if (radioOf(chosenTool()).disabled) {
     radioOf(isVessel ? "point" : "seed").checked = true;
   }
-  element("hint").textContent = hints[chosenTool()];
+  showHint();
   element("seed-numbers").hidden = isVessel;
   for (const id of ["phantom-row", "labels-row"]) {
     element(id).classList.toggle("of-organs", isVessel);
@@ -80,6 +87,7 @@ export function refresh(): void {
   button("redo").disabled = !organs.canRedo;
   button("run").disabled = isBusy || !canRun(organs.chosen);
   button("cancel").disabled = !isBusy;
+  element<HTMLFieldSetElement>("asking").disabled = isBusy;
   button("save-surface").disabled = isBusy || !organs.chosen.result;
   button("save-labels").disabled = isBusy || organs.list.every(({ result }) => !result);
   button("save-session").disabled = isBusy || !organs.list.some(canRepeat);
@@ -100,10 +108,20 @@ export function showSeed(seed: Seed | null): void {
 export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
   return organs.list.map((one) => {
     const isChosen = one === organs.chosen;
-    const { result, seed, color, corrections, points } = isChosen ? { ...one, ...changed } : one;
+    const organ = isChosen ? { ...one, ...changed } : one;
+    const { result, seed, color, corrections, points } = organ;
     const ofVessel = points.map((position, at) => ({ kind: String(at + 1), position }));
     const confidence = result && "vertexConfidence" in result ? result.vertexConfidence : null;
-    return { surface: result?.surface ?? null, confidence, seed, color, isChosen, points: isChosen ? [...corrections, ...ofVessel] : [] };
+    return {
+      surface: result?.surface ?? null,
+      confidence,
+      seed,
+      color,
+      isChosen,
+      points: isChosen ? [...corrections, ...ofVessel] : [],
+      questions: isChosen ? questionsOf(organ).map(({ place }) => place) : [],
+      chosenQuestion: chosenQuestionOf(organ),
+    };
   });
 }
 
@@ -121,6 +139,7 @@ export function showAll(): void {
   const { start } = organs.chosen; // maybe from a label map that was opened before
   select("start-label").value = start && start.labels === app.labels ? String(start.label) : "";
   showPoints(element("points"), organs.chosen);
+  showQuestions(organs.chosen);
   showResult(organs.chosen);
   if (app.opened) {
     view.setOrgans(viewedOrgans());

@@ -5,7 +5,7 @@ import { input, select } from "./dom.js";
 import type { Correction } from "./organs.js";
 import { chosenTool, showAll, showSeed, viewedOrgans } from "./panel.js";
 import { pointActions } from "./pointlist.js";
-import { addCorrection, changePoints } from "./runs.js";
+import { addCorrections, changePoints } from "./runs.js";
 import { say } from "./status.js";
 
 /** Another seed: what was found from the former one goes, and undo brings it back. */
@@ -46,15 +46,15 @@ function furtherOf({ center, radius }: Seed): Correction {
 }
 
 /** What the tool places, if it places points. */
-function placePoint(position: Triple): void {
+function placePoints(positions: readonly Triple[]): void {
   const { points } = organs.chosen;
   const tool = chosenTool();
   if (tool === "point") {
-    void changePoints({ points: [...points, position] });
+    void changePoints({ points: [...points, ...positions] });
   } else if (tool === "further") {
-    void addCorrection(furtherOf({ center: position, radius: furtherRadius() }));
+    void addCorrections(positions.map((center) => furtherOf({ center, radius: furtherRadius() })));
   } else if (tool === "inside" || tool === "outside" || tool === "boundary") {
-    void addCorrection({ kind: tool, position });
+    void addCorrections(positions.map((position) => ({ kind: tool, position })));
   }
 }
 
@@ -66,7 +66,7 @@ export function placeHere(): void {
   } else if (chosenTool() === "navigate") {
     void changePoints({ points: [...organs.chosen.points, place] });
   } else {
-    placePoint(place);
+    placePoints([place]);
   }
 }
 
@@ -77,7 +77,7 @@ export function listenToPlaces(): void {
     const radius = isFurther ? furtherRadius() : (organs.chosen.seed?.radius ?? radiusOf());
     const shown = seed.radius < 1 ? { ...seed, radius } : seed;
     if (isFurther && placed) {
-      void addCorrection(furtherOf(shown));
+      void addCorrections([furtherOf(shown)]);
     } else if (isFurther) {
       view.setMarks(viewedOrgans({ corrections: [...organs.chosen.corrections, furtherOf(shown)] }));
     } else if (placed) {
@@ -88,7 +88,7 @@ export function listenToPlaces(): void {
       view.setMarks(viewedOrgans({ seed: shown }));
     }
   };
-  view.onPoint = placePoint;
+  view.onPoints = placePoints;
   view.onWindow = () => (select("window").value = "");
   pointActions.change = (points) => void changePoints(points);
   pointActions.visit = (position) => (view.crosshair = [...position]);

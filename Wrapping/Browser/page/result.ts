@@ -1,10 +1,9 @@
 /** What was found, in numbers, and what may be wrong with it. */
 import { type Organ, type Vessel, doubtfulConfidence } from "../flipfree/index.js";
-import { app, organs, view } from "./app.js";
+import { app } from "./app.js";
 import { element } from "./dom.js";
-import { doubtsOf } from "./doubts.js";
+import { doubtfulFraction } from "./doubts.js";
 import type { OrganState } from "./organs.js";
-import { say } from "./status.js";
 
 function lengthOf({ branches }: Vessel): number {
   let length = 0;
@@ -23,30 +22,13 @@ function judgementOf({ start, corrections, preset, parameters }: OrganState, { c
   return holds && confidence < doubtfulConfidence ? ", doubtful" : "";
 }
 
-/** The number, and how much of the surface is doubtful. */
 function confidenceText(organ: OrganState, result: Organ): string {
-  const number = (Math.floor(100 * result.confidence) / 100).toFixed(2);
-  return `${number}${judgementOf(organ, result)}; ${Math.round(100 * doubtsOf(result).fraction)} % of the surface doubtful`;
+  return `${(Math.floor(100 * result.confidence) / 100).toFixed(2)}${judgementOf(organ, result)}`;
 }
 
-/** The doubtful place that was shown last, and of what. */
-let visited: { result: Organ | Vessel | null; at: number } = { result: null, at: -1 };
-
-/** Shows one doubtful place after the other, the largest first. */
-export function visitDoubt(): void {
-  const { result } = organs.chosen;
-  const places = result && "vertexConfidence" in result ? doubtsOf(result).places : [];
-  if (places.length > 0) {
-    const at = visited.result === result ? (visited.at + 1) % places.length : 0;
-    visited = { result, at };
-    view.crosshair = [...places[at]];
-    say(`Doubtful place ${at + 1} of ${places.length}.`);
-  }
-}
-
-/** The kernels' words of a surface whose doubtful places have a number, in those of one where they are blue. */
+/** Warnings in the words of a page that draws doubtful places in blue; without the question, which has a list of its own. */
 function wordsOf(warning: string): string {
-  return warning.replace("where its confidence is low", "where it is blue");
+  return warning.replace("where its confidence is low", "where it is blue").replace(/Is the part of [^?]*\?.*$/, "").trim();
 }
 
 function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
@@ -61,7 +43,10 @@ function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
   if ("vertexConfidence" in result) {
-    rows.unshift(["Confidence", confidenceText(organ, result)]);
+    rows.unshift(
+      ["Confidence", confidenceText(organ, result)],
+      ["Boundary", `${Math.round(100 * doubtfulFraction(result))} % doubtful (blue)`],
+    );
   }
   if ("branches" in result) {
     const count = result.branches.length;
@@ -80,16 +65,11 @@ export function showResult(organ: OrganState): void {
     text.textContent = value;
     return [term, text];
   });
-  const places = result && "vertexConfidence" in result ? doubtsOf(result).places : [];
-  const doubts = element("doubts");
-  doubts.hidden = places.length === 0;
-  // Beside the confidence.
-  (doubts.hidden ? element("run-controls") : cells[1]).append(doubts);
-  doubts.parentElement!.classList.toggle("doubted", !doubts.hidden);
   element("result").replaceChildren(...cells);
-  const warnings = (result?.warnings ?? []).map((warning) => {
+  const texts = (result?.warnings ?? []).map(wordsOf).filter((text) => text !== "");
+  const warnings = texts.map((text) => {
     const item = document.createElement("li");
-    item.textContent = wordsOf(warning);
+    item.textContent = text;
     return item;
   });
   element("warnings").replaceChildren(...warnings);

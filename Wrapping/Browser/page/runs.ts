@@ -7,13 +7,26 @@ import type { Session } from "./session.js";
 import { complain, say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
+/** The organ of which the kernels keep what its corrections do not change. */
+export let keptOrgan: Organ | null = null;
+
 async function find(organ: OrganState, signal: AbortSignal): Promise<Organ | Vessel> {
   const { image } = app.opened!;
   const { kind, preset, parameters, seed, start, points } = organ;
   const options = { parameters, signal, onProgress: showProgress };
-  return kind === "vessel"
-    ? flipfree.trace(image, points, options)
-    : flipfree.segment(image, (seed ?? start)!, { ...options, preset, ...correctionsOf(organ) });
+  try {
+    if (kind === "vessel") {
+      return await flipfree.trace(image, points, options);
+    }
+    keptOrgan = await flipfree.segment(image, (seed ?? start)!, { ...options, preset, ...correctionsOf(organ) });
+    return keptOrgan;
+  } catch (error) {
+    // Points that are refused leave it; another organ does not, and a worker that was stopped keeps nothing.
+    if (signal.aborted || (kind === "organ" && organ.result !== keptOrgan)) {
+      keptOrgan = null;
+    }
+    throw error;
+  }
 }
 
 /** Finds an organ, shows it, and says how long it took. */
@@ -45,14 +58,16 @@ export async function segment(): Promise<void> {
   }
 }
 
-/** Another point that corrects the chosen organ. */
-export async function addCorrection(point: Correction): Promise<void> {
+/** Further points of one kind that correct the chosen organ, in one step. */
+export async function addCorrections(points: readonly Correction[]): Promise<void> {
   const { corrections } = organs.chosen;
-  if (isRepeated(point, corrections)) {
+  const added = points.filter((point) => !isRepeated(point, corrections));
+  if (added.length === 0) {
+    const [{ kind }] = points;
     showAll();
-    complain(`This ${point.kind === "seed" ? "seed" : `${point.kind} point`} is already there; place it elsewhere, or change it in the list.`);
+    complain(`This ${kind === "seed" ? "seed" : `${kind} point`} is already there; place it elsewhere, or change it in the list.`);
   } else {
-    await changePoints({ corrections: [...corrections, point] });
+    await changePoints({ corrections: [...corrections, ...added] });
   }
 }
 

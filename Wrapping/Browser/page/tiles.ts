@@ -37,6 +37,17 @@ export function depthAt(tile: Tile, right: number, up: number): number {
   return plane[2] + plane[4] * (up - plane[1]) - plane[3] * (right - plane[0]);
 }
 
+/** How far a point is from a slice, in mm. */
+export function distanceOf(tile: Tile, point: Point): number {
+  const { right, up, away } = axes(tile);
+  const plane = tile.AxyzMxy;
+  const depth = depthAt(tile, point[right], point[up]);
+  return Math.abs(depth - point[away]) / Math.hypot(1, plane[3], plane[4]);
+}
+
+/** Marks are seen, faintly, on slices at most this far away, in mm. */
+export const fadesWithin = 10;
+
 /** The point of a slice under a pixel. */
 export function pointAt(tile: Tile, x: number, y: number): Point {
   const [left, top, width, height] = tile.leftTopWidthHeight;
@@ -46,6 +57,12 @@ export function pointAt(tile: Tile, x: number, y: number): Point {
   point[up] = tile.leftTopMM[1] + (1 - (y - top) / height) * tile.fovMM[1];
   point[away] = depthAt(tile, point[right], point[up]);
   return point;
+}
+
+/** A pixel, or the nearest one that is on the slice. */
+export function pixelWithin(tile: Tile, x: number, y: number): [number, number] {
+  const [left, top, width, height] = tile.leftTopWidthHeight;
+  return [Math.min(left + width, Math.max(left, x)), Math.min(top + height, Math.max(top, y))];
 }
 
 export function pixelAt(tile: Tile, point: ArrayLike<number>, at = 0): [number, number] {

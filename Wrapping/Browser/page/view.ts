@@ -1,49 +1,17 @@
-/** Slices and surfaces on the screen. NiiVue draws the volume and the surfaces in 3D; what is drawn over its slices and
- * what the pointer does there is ours. NiiVue's coordinates are RAS, all others LPS. */
-import { type NVConfigOptions, NVMesh, Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
-import {
-  type Seed,
-  type Surface,
-  type Triple,
-  doubtfulVertexConfidence,
-  swapLpsRas,
-  trianglesOf,
-} from "../flipfree/index.js";
-import { type Marks, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
-import { type Point, type Tile, pointAt, tileAt } from "./tiles.js";
+/** Slices on the screen. NiiVue draws the volume, and the surfaces in 3D; what is drawn over its slices and what the pointer does
+ * there is ours. NiiVue's coordinates are RAS, all others LPS. */
+import { Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
+import { type Seed, type Surface, type Triple, trianglesOf } from "../flipfree/index.js";
+import { type ViewedOrgan, marksOf, swapped } from "./marks.js";
+import { type Marks, type ShownPreview, type ShownSurface, drawOverlay } from "./overlay.js";
+import { type QuestionMark, questionMarkAt } from "./questionmarks.js";
+import { Solid, niivueOptions } from "./solid.js";
+import { thinned } from "./stroke.js";
+import { type Point, type Tile, pixelWithin, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
 
-export interface ViewedOrgan {
-  surface: Surface | null;
-  /** Of the surface's vertices; a vessel has none. */
-  confidence: Float32Array | null;
-  seed: Seed | null;
-  color: string;
-  isChosen: boolean;
-  /** Inside, outside, boundary, seed, or the number of a vessel's point. */
-  points: { kind: string; position: Triple; radius?: number }[];
-}
-
-/** What the left button does: it places the seed or a further one, moves the cross-hair, or places a point. */
+/** What the left button does: it places the seed or a further one, moves the cross-hair, places a point, or paints points. */
 export type Tool = "seed" | "further" | "navigate" | "inside" | "outside" | "boundary" | "point";
-
-/** LPS as RAS, or the other way; without negative zeros, which text would show. */
-function swapped(point: Triple | Point): Point {
-  const [x, y, z] = swapLpsRas(point);
-  return [x + 0, y + 0, z];
-}
-
-function bytesOf(color: string): [number, number, number] {
-  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16)) as [number, number, number];
-}
-
-/** Red, green, blue and opacity of each vertex. */
-function colorsOf({ color, confidence }: ShownSurface): Uint8Array {
-  const [own, doubtful] = [[...bytesOf(color), 255], [...bytesOf(doubtColor), 255]];
-  const colors = new Uint8Array(4 * confidence.length);
-  confidence.forEach((value, vertex) => colors.set(value < doubtfulVertexConfidence ? doubtful : own, 4 * vertex));
-  return colors;
-}
 
 /** For shading a volume in 3D, which this page does not do, NiiVue computes its gradients with each window: twice the memory of
  * the image on the screen, and most of the time. Here, they get one voxel of each slice. */
@@ -56,17 +24,6 @@ function leaveOutGradients(niivue: Niivue): void {
   };
 }
 
-const common = {
-  dragAndDropEnabled: false,
-  isResizeCanvas: true,
-  backColor: [0, 0, 0, 1],
-  logLevel: "fatal" as const, // what goes wrong is said by the page
-  viewModeHotKey: "",
-  clipPlaneHotKey: "",
-  cycleClipPlaneHotKey: "",
-  loadingText: "",
-} satisfies Partial<NVConfigOptions>;
-
 interface Drag {
   pointer: number;
   button: number;
@@ -74,29 +31,49 @@ interface Drag {
   start: [number, number];
   center: Point;
   window: [number, number];
+  path: Point[];
 }
+
+/** Millimeters between the points of a stroke, or a voxel if that is more. */
+const strokeStep = 3;
 
 export class View {
   private readonly slices: Niivue;
-  private readonly solid: Niivue;
-  private solidIsReady: Promise<void> | null = null;
-  private marks: Marks = { surfaces: [], seeds: [], points: [], nearby: 1 };
+  private readonly solid: Solid;
+  private marks: Marks = {
+    surfaces: [],
+    seeds: [],
+    points: [],
+    questions: [],
+    chosenQuestion: -1,
+    stroke: null,
+    preview: null,
+    pointed: null,
+    nearby: 1,
+  };
+  private strokeStep = strokeStep;
 
-  tool: Tool | null = null;
+  private currentTool: Tool | null = null;
+  /** The place under the pointer, if a click there would use the tool. */
+  hovered: Triple | null = null;
 
   /** Called while a seed is dragged, and when it is placed. */
   onSeed: (seed: Seed, placed: boolean) => void = () => {};
-  /** Called when a point is placed. */
-  onPoint: (position: Triple) => void = () => {};
+  /** Called when a point is placed, or several by a stroke. */
+  onPoints: (positions: Triple[]) => void = () => {};
+  /** Called when a question's mark is clicked, or the answer beside it. */
+  onQuestion: (question: number, isOrgan: boolean | null) => void = () => {};
   /** Called when the window was dragged. */
   onWindow: () => void = () => {};
+  /** Called when the pointer has moved, or has another tool. */
+  onHover: () => void = () => {};
 
   private constructor(
     private readonly overlay: HTMLCanvasElement,
-    private readonly solidCanvas: HTMLCanvasElement,
+    solidCanvas: HTMLCanvasElement,
   ) {
     this.slices = new Niivue({
-      ...common,
+      ...niivueOptions,
       isRadiologicalConvention: true,
       isSliceMM: true,
       isOrientationTextVisible: false, // the overlay has all four letters
@@ -105,7 +82,7 @@ export class View {
       crosshairWidth: 0.5,
       crosshairColor: [0.8, 0.8, 0.8, 0.6],
     });
-    this.solid = new Niivue({ ...common, show3Dcrosshair: false, isOrientCube: true });
+    this.solid = new Solid(solidCanvas);
   }
 
   static async open(slices: HTMLCanvasElement, overlay: HTMLCanvasElement, solid: HTMLCanvasElement): Promise<View> {
@@ -129,13 +106,9 @@ export class View {
     return view;
   }
 
-  /** Makes the view in 3D ready. Its shaders take almost half of the page's time to load, so that is done with the first run. */
+  /** Makes the view in 3D ready. */
   prepareSurfaces(): Promise<void> {
-    this.solidIsReady ??= this.solid.attachToCanvas(this.solidCanvas).then(() => {
-      this.solid.setSliceType(SLICE_TYPE.RENDER);
-      this.solid.setRenderAzimuthElevation(180, 10); // from the front, as the coronal slice
-    });
-    return this.solidIsReady;
+    return this.solid.prepare();
   }
 
   /** Shows a volume, and nothing else any more. The window comes with it: with each, NiiVue makes its textures anew. */
@@ -148,9 +121,27 @@ export class View {
     opened.shown.cal_max = greatest;
     this.slices.addVolume(opened.shown);
     this.marks.nearby = Math.max(1, ...opened.image.spacing.map((spacing) => 0.6 * spacing));
+    this.strokeStep = Math.max(strokeStep, ...opened.image.spacing);
     this.slices.scene.crosshairPos = [0.5, 0.5, 0.5];
     this.slices.scene.pan2Dxyzmm = [0, 0, 0, 1];
     this.slices.drawScene();
+  }
+
+  get tool(): Tool | null {
+    return this.currentTool;
+  }
+
+  set tool(tool: Tool | null) {
+    this.currentTool = tool;
+    this.onHover();
+  }
+
+  /** What a point would change. */
+  setPreview(preview: (Omit<ShownPreview, "place"> & { place: Triple }) | null): void {
+    if (preview || this.marks.preview) {
+      this.marks.preview = preview && { ...preview, place: swapped(preview.place) };
+      this.drawMarks();
+    }
   }
 
   get window(): [number, number] {
@@ -196,35 +187,13 @@ export class View {
       ...this.marks,
       surfaces: organs.flatMap((organ) => (organ.surface ? [this.shownSurface(organ, organ.surface)] : [])),
     };
-    if (this.solidIsReady || this.marks.surfaces.length > 0) {
-      void this.prepareSurfaces().then(() => this.drawSurfaces());
-    }
+    this.solid.show(this.marks.surfaces);
     this.setMarks(organs);
   }
 
-  private drawSurfaces(): void {
-    for (const mesh of [...this.solid.meshes]) {
-      this.solid.removeMesh(mesh);
-    }
-    for (const shown of this.marks.surfaces) {
-      const points = Float32Array.from(shown.points);
-      this.solid.addMesh(new NVMesh(points, shown.triangles, "surface", colorsOf(shown), 1, true, this.solid.gl));
-    }
-    this.solid.drawScene();
-  }
-
-  /** Seeds and points; the surfaces stay. */
+  /** Seeds, points and questions; the surfaces stay. */
   setMarks(organs: ViewedOrgan[]): void {
-    const further = organs.flatMap(({ points, color }) => points.map((point) => ({ ...point, color })));
-    const seeds = organs.flatMap(({ seed, color }) => (seed ? [{ ...seed, color }] : []));
-    const spheres = further.map(({ position, radius, color }) => ({ center: position, radius: radius ?? 0, color }));
-    this.marks.seeds = [...seeds, ...spheres.filter(({ radius }) => radius > 0)].map((seed) => ({
-      ...seed,
-      center: swapped(seed.center),
-    }));
-    this.marks.points = further
-      .filter(({ kind }) => kind !== "seed")
-      .map(({ kind, position, color }) => ({ kind, place: swapped(position), color }));
+    this.marks = { ...this.marks, ...marksOf(organs, 2 * this.strokeStep) };
     this.drawMarks();
   }
 
@@ -268,33 +237,78 @@ export class View {
         this.onSeed({ center: swapped(drag.center), radius }, isLast);
       } else if (this.tool === "navigate") {
         this.crosshair = swapped(pointAt(drag.tile, ...this.pixelOf(event)));
+      } else if (this.tool === "inside" || this.tool === "outside") {
+        drag.path.push(pointAt(drag.tile, ...pixelWithin(drag.tile, ...this.pixelOf(event))));
+        this.marks.stroke = isLast ? null : { kind: this.tool, path: drag.path, slice: drag.tile.axCorSag };
+        this.drawMarks();
+        if (isLast) {
+          this.onPoints(thinned(drag.path, this.strokeStep).map(swapped));
+        }
       } else if (this.tool) {
         const position = swapped(pointAt(drag.tile, ...this.pixelOf(event)));
         this.crosshair = position;
         if (isLast) {
-          this.onPoint(position);
+          this.onPoints([position]);
         }
       }
     };
+    const end = () => {
+      drag = null;
+      this.marks.stroke = null;
+      this.drawMarks();
+    };
     overlay.addEventListener("pointerdown", (event) => {
       const start = this.pixelOf(event);
+      if (event.pointerType !== "mouse") {
+        this.point(start, false); // a finger has not moved there
+      }
       const tile = tileAt(this.slices, ...start);
-      if (tile && this.tool && (event.button === 0 || event.button === 2)) {
+      const mark = event.button === 0 ? this.questionMarkAt(start) : undefined;
+      if (mark) {
+        this.onQuestion(mark.question, mark.isOrgan);
+      } else if (tile && this.tool && (event.button === 0 || event.button === 2)) {
         overlay.setPointerCapture(event.pointerId);
         const center = pointAt(tile, ...start);
-        drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window };
+        drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window, path: [center] };
         if (event.button === 0) {
           this.crosshair = swapped(center);
         }
       }
     });
-    overlay.addEventListener("pointermove", (event) => move(event, false));
+    overlay.addEventListener("pointermove", (event) => {
+      move(event, false);
+      this.point(this.pixelOf(event), drag !== null);
+    });
+    overlay.addEventListener("pointerleave", (event) => {
+      if (event.pointerType === "mouse") {
+        this.point(null, false);
+      }
+    });
     overlay.addEventListener("pointerup", (event) => {
       move(event, true);
-      drag = null;
+      end();
     });
-    overlay.addEventListener("pointercancel", () => (drag = null));
+    overlay.addEventListener("pointercancel", end);
     overlay.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  private questionMarkAt(pixel: [number, number]): QuestionMark | undefined {
+    const tile = tileAt(this.slices, ...pixel);
+    return tile && questionMarkAt(tile, this.marks, ...pixel);
+  }
+
+  /** Where the pointer is, dragged or not. */
+  private point(pixel: [number, number] | null, isDragged: boolean): void {
+    const tile = pixel && tileAt(this.slices, ...pixel);
+    const pointed = tile?.axCorSag ?? null;
+    if (this.marks.pointed !== pointed) {
+      this.marks.pointed = pointed;
+      this.drawMarks();
+    }
+    const isOnMark = pixel !== null && !isDragged && this.questionMarkAt(pixel) !== undefined;
+    this.overlay.classList.toggle("on-question", isOnMark);
+    this.hovered = pixel && tile && !isDragged && !isOnMark ? swapped(pointAt(tile, ...pixel)) : null;
+    this.onHover();
   }
 
   /** To the right for a wider window, upward for a lower level, as on workstations. */
@@ -315,6 +329,7 @@ export class View {
       } else {
         this.slices.canvas!.dispatchEvent(new WheelEvent("wheel", event));
       }
+      this.point(this.pixelOf(event), event.buttons !== 0);
     };
     this.overlay.addEventListener("wheel", take, { passive: false });
   }
