@@ -46,7 +46,8 @@ using Point = std::array<double, 3>;
 
 void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
 {
-  const std::vector<std::string> kept{ request.Input, request.StartLabels, request.Session };
+  std::vector<std::string> kept = request.Corrections.StrokeFiles();
+  kept.insert(kept.end(), { request.Input, request.StartLabels, request.Session });
   std::vector<std::string> inputs = kept;
   inputs.push_back(request.Corrections.Input());
   const auto announce =

@@ -14,6 +14,7 @@ from ._backend import SEGMENT_PARAMETERS, set_threads
 from ._command_ask import ask, require_answers
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
+    POINTS,
     input_title,
     points_of,
     require_coordinates,
@@ -23,6 +24,7 @@ from ._command_inputs import (
 from ._command_outputs import (
     OUTPUTS,
     SHARED,
+    STROKES,
     require_files,
     require_outputs,
     write_output,
@@ -95,7 +97,7 @@ def _session_of(values: dict[str, Any]) -> Session | None:
             "--session has the seed and the preset. Leave out --seed, --seed-voxel, --radius and "
             "--preset"
         )
-    if {"inside", "outside", "boundary", "points", "save_points", "ras"} & values.keys():
+    if {*POINTS, *STROKES, "points", "save_points", "ras"} & values.keys():
         raise WrongUsage(
             "--session cannot be corrected by points. Give the image, --seed and --radius in its place"
         )
