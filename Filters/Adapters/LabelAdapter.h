@@ -74,6 +74,30 @@ inline void MakeLabelMap(const std::vector<VoxelRun>& runs, unsigned char label,
   labelMap->GetPointData()->SetScalars(labels);
 }
 
+/// Makes `map` an image of the box of a grid that holds the voxels of the runs, of which there are
+/// some: unsigned char scalars called `name`, 1 in these voxels and 0 in all others.
+inline void MakeCroppedMap(const std::vector<VoxelRun>& runs, const char* name,
+  const ImageGeometry& grid, vtkImageData* map)
+{
+  VoxelBox box;
+  for (const VoxelRun& run : runs)
+  {
+    box = box.Joined({ { run.Begin, run.J, run.K }, { run.End, run.J + 1, run.K + 1 } });
+  }
+  SetGeometry(map, CropGeometry(grid, box));
+  map->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const voxels = static_cast<unsigned char*>(map->GetScalarPointer());
+  std::fill_n(voxels, map->GetNumberOfPoints(), static_cast<unsigned char>(0));
+  std::vector<VoxelRun> within = runs;
+  for (VoxelRun& run : within)
+  {
+    run = { run.J - box.Begin[1], run.K - box.Begin[2], run.Begin - box.Begin[0],
+      run.End - box.Begin[0] };
+  }
+  FillRuns(within, static_cast<unsigned char>(1), GeometryOf(map), voxels);
+  map->GetPointData()->GetScalars()->SetName(name);
+}
+
 } // namespace FlipFree
 
 #endif

@@ -208,6 +208,21 @@ public:
 
   ///@{
   /**
+   * What one more inside or outside point would change in the result, in milliliters: the part of
+   * the organ, or of a leak, that the next Update() would add or take. The surface follows it as
+   * far as it can. `changed`, unless it is null, becomes an image of the voxels that change sides:
+   * scalars `Changed` (unsigned char, 1 where they do), with the geometry of the input, and only
+   * the extent that holds them; without voxels if there are none. Runs nothing, so it keeps up with
+   * a mouse. Returns -1, with no error, where this is not known: before the first Update(), without
+   * KeepForCorrections or Carving, and for a point that lies beyond what the surface can reach or
+   * that Update() would refuse.
+   */
+  double PreviewInsidePoint(double x, double y, double z, vtkImageData* changed);
+  double PreviewOutsidePoint(double x, double y, double z, vtkImageData* changed);
+  ///@}
+
+  ///@{
+  /**
    * Keep the smoothed image, and other results that constraints do not change, between runs, so
    * that a correction takes about a third of the time. Default off, since it needs memory: the
    * smoothed part of the image as floats. The next Update() after the image, the seed or a
@@ -493,6 +508,7 @@ private:
   FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
   std::vector<FlipFree::PointConstraint> AllConstraints(vtkInformationVector* points) const;
   void AddConstraint(const FlipFree::PointConstraint& constraint);
+  double Preview(const FlipFree::PointConstraint& constraint, vtkImageData* changed);
 
   const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;
   vtkSmartPointer<vtkSeedRegionDiffusion> Diffusion;

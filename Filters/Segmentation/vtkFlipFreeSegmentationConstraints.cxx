@@ -2,9 +2,15 @@
 #include "vtkFlipFreeSegmentation.h"
 
 #include "ConstraintPoints.h"
+#include "Error.h"
+#include "LabelAdapter.h"
+#include "SegmentationState.h"
 
+#include "vtkImageData.h"
 #include "vtkInformationVector.h"
 #include "vtkPointSet.h"
+
+#include <optional>
 
 using FlipFree::ConstraintKind;
 
@@ -65,6 +71,49 @@ void vtkFlipFreeSegmentation::RemoveAllPoints()
     this->Constraints->clear();
     this->Modified();
   }
+}
+
+double vtkFlipFreeSegmentation::PreviewInsidePoint(double x, double y, double z,
+  vtkImageData* changed)
+{
+  return this->Preview({ ConstraintKind::Inside, { x, y, z }, 0 }, changed);
+}
+
+double vtkFlipFreeSegmentation::PreviewOutsidePoint(double x, double y, double z,
+  vtkImageData* changed)
+{
+  return this->Preview({ ConstraintKind::Outside, { x, y, z }, 0 }, changed);
+}
+
+double vtkFlipFreeSegmentation::Preview(const FlipFree::PointConstraint& constraint,
+  vtkImageData* changed)
+{
+  std::optional<std::vector<FlipFree::VoxelRun>> runs;
+  try
+  {
+    if (this->State)
+    {
+      runs = this->State->Runs.Preview(constraint, FlipFree::NeverStop);
+    }
+  }
+  catch (const FlipFree::Error&) // Update() would report it
+  {
+    runs.reset();
+  }
+  if (changed)
+  {
+    changed->Initialize();
+  }
+  if (!runs)
+  {
+    return -1;
+  }
+  const FlipFree::ImageGeometry& geometry = this->State->Runs.GetGeometry();
+  if (changed && !runs->empty())
+  {
+    FlipFree::MakeCroppedMap(*runs, "Changed", geometry, changed);
+  }
+  return static_cast<double>(FlipFree::CountVoxels(*runs)) * geometry.VoxelVolume() / 1000;
 }
 
 FlipFree::ConstraintList vtkFlipFreeSegmentation::AllConstraints(vtkInformationVector* points) const

@@ -3,7 +3,7 @@
 // inside if it is missed, outside if it is too much, moved by up to two voxels at random.
 //
 //   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S] [--details]
-//                 [--questions] [--locality] [--surface-dice]
+//                 [--questions] [--locality] [--surface-dice] [--preview]
 //
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
@@ -13,7 +13,9 @@
 // printed; the row keeps the scores that it had. An inside point must not remove voxels, nor an
 // outside point add any, but for those along the boundary; clicks that do are printed, too. With
 // --questions, the truthful answers to the first question of each result take the place of clicks.
-// How often results were wrong about what they ask is printed in any case.
+// How often results were wrong about what they ask is printed in any case. With --preview, each
+// click is previewed first: how long that takes, and the Dice score of the voxels that it names
+// with those that change.
 //
 // The areas under the curves of Dice, and with --surface-dice of the surface Dice at 2 mm, over the
 // clicks without the start are those of the challenge Foundation Models for Interactive 3D
@@ -42,6 +44,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -62,6 +65,7 @@ struct Options
   bool Details = false;   ///< a line per click: the surface, the foreground, what is wrong
   bool Questions = false; ///< answered in place of clicks
   bool SurfaceDice = false;
+  bool Preview = false;  ///< before each click
   bool Locality = false; ///< a line per click: what it moves where it should not
 };
 
@@ -337,6 +341,8 @@ struct Row
   std::vector<double> Scores;        ///< after 0, 1, 2, ... clicks
   std::vector<double> SurfaceScores; ///< surface Dice, if asked for
   std::vector<double> Seconds;       ///< of each run after a click
+  std::vector<double> PreviewSeconds;
+  std::vector<double> PreviewDice; ///< of what changes, by the preview and by the run
   int Disobeyed = 0;
   int Refused = 0;                            ///< with an error
   std::vector<std::pair<double, bool>> Asked; ///< at first: the margin, and whether it was wrong
@@ -354,6 +360,21 @@ int CountDisobeyed(const ConstraintList& clicks, const OrganSurface& organ)
     }));
 }
 
+// The second call is timed: of the first, the next points along the mouse's way have something.
+std::optional<BitMask> PreviewOf(VolumeSegmenter& segmenter, const ConstraintList& clicks,
+  const PointConstraint& next, std::vector<double>& seconds)
+{
+  segmenter.Preview(clicks, next, NeverStop);
+  Stopwatch watch;
+  const std::optional<std::vector<VoxelRun>> changed = segmenter.Preview(clicks, next, NeverStop);
+  if (!changed)
+  {
+    return std::nullopt;
+  }
+  seconds.push_back(watch.Lap());
+  return MaskOfRuns(*changed, segmenter.GetGeometry());
+}
+
 Row MeasureRow(const Case& row, const Options& options)
 {
   const auto image = ReadVolume(options.Data + "/" + row.Image);
@@ -368,6 +389,7 @@ Row MeasureRow(const Case& row, const Options& options)
   std::string kinds;
   VolumeSegmentation former;
   BitMask formerFound;
+  std::optional<BitMask> previewed;
   for (int click = 0; click <= options.Clicks; ++click)
   {
     Stopwatch watch;
@@ -417,6 +439,10 @@ Row MeasureRow(const Case& row, const Options& options)
           NameOf(clicks.back()).c_str(), against);
       }
     }
+    if (previewed)
+    {
+      result.PreviewDice.push_back(DiceOf(*previewed, DifferenceOf(formerFound, found)));
+    }
     if (options.Locality)
     {
       if (click > 0)
@@ -445,6 +471,10 @@ Row MeasureRow(const Case& row, const Options& options)
     if (options.Details && click < options.Clicks)
     {
       std::printf("  %s\n", NameOf(next).c_str());
+    }
+    if (options.Preview && click < options.Clicks)
+    {
+      previewed = PreviewOf(segmenter, clicks, next, result.PreviewSeconds);
     }
     former = std::move(run);
     kinds += next.Kind == ConstraintKind::Inside ? '+' : '-';
@@ -557,6 +587,7 @@ int main(int argc, char* argv[])
   app.add_flag("--questions", options.Questions,
     "instead of clicks, truthful answers to the first question of each result");
   app.add_flag("--surface-dice", options.SurfaceDice, "also the surface Dice, at 2 mm");
+  app.add_flag("--preview", options.Preview, "what each click is going to change");
   app.add_flag("--locality", options.Locality, "what a click moves beyond its domain");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
@@ -564,6 +595,8 @@ int main(int argc, char* argv[])
 
   std::map<std::string, std::vector<Row>> groups;
   std::vector<double> seconds;
+  std::vector<double> previewSeconds;
+  std::vector<double> previewDice;
   int disobeyed = 0;
   int refused = 0;
   int notMonotone = 0;
@@ -578,6 +611,9 @@ int main(int argc, char* argv[])
     const Row result = MeasureRow(row, options);
     groups[row.Organ].push_back(result);
     seconds.insert(seconds.end(), result.Seconds.begin(), result.Seconds.end());
+    previewSeconds.insert(previewSeconds.end(), result.PreviewSeconds.begin(),
+      result.PreviewSeconds.end());
+    previewDice.insert(previewDice.end(), result.PreviewDice.begin(), result.PreviewDice.end());
     disobeyed += result.Disobeyed;
     refused += result.Refused;
     notMonotone += result.NotMonotone;
@@ -597,6 +633,13 @@ int main(int argc, char* argv[])
   std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d, moving "
               "voxels the other way: %d of %zu\n",
     seconds.empty() ? 0 : Median(seconds), disobeyed, refused, notMonotone, seconds.size());
+  if (!previewDice.empty())
+  {
+    std::printf("previews: %zu, seconds: median %.3f, at most %.3f; Dice of what changes: median "
+                "%.2f\n",
+      previewSeconds.size(), Median(previewSeconds),
+      *std::max_element(previewSeconds.begin(), previewSeconds.end()), Median(previewDice));
+  }
   PrintQuestions(asked, rowsWithoutQuestions);
   return disobeyed == 0 ? 0 : 1;
 }

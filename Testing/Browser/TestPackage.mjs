@@ -136,6 +136,23 @@ test("it asks where it is not sure, and a point answers", async () => {
   assert.equal(cut.questions[0].included, false);
 });
 
+test("a preview of a point is what the point changes", async () => {
+  const image = lobedBall(12);
+  const lobed = { center: [48, 47, 47], radius: 18 };
+  const parameters = { resolution: 16 };
+  await flipfree.segment(image, lobed, { parameters });
+  const lobe = await flipfree.preview({ inside: [100, 47, 47] });
+  assert.ok(Math.abs(lobe.volume - 58) < 6, `${lobe.volume}`); // a ball of 24 mm
+  const voxels = lobe.runs.reduce((sum, end, at) => (at % 4 === 3 ? sum + end - lobe.runs[at - 1] : sum), 0);
+  assert.ok(Math.abs(0.008 * voxels - lobe.volume) < 1e-9);
+  assert.deepEqual(await flipfree.preview({ inside: [40, 47, 47] }), { runs: new Int32Array(), volume: 0 });
+  await assert.rejects(flipfree.preview({ outside: [48, 47, 47] }), /The outside point \(48, 47, 47\) mm lies in the inner half/);
+  await flipfree.segment(image, lobed, { parameters, inside: [[100, 47, 47]] });
+  assert.equal((await flipfree.preview({ inside: [100, 47, 47] })).volume, 0);
+  await flipfree.segment(image, lobed, { parameters: { ...parameters, carving: false } });
+  assert.equal(await flipfree.preview({ inside: [100, 47, 47] }), null);
+});
+
 test("a label of a label map in place of a seed: the command's surface, corrected by points", async () => {
   const start = { labels: phantom.labelMap, label: 1 };
   const spleen = await flipfree.segment(phantom.image, start);

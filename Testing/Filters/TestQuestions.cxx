@@ -2,8 +2,10 @@
 // answer them.
 #include "BadInput.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFlipFreeOrganGroup.h"
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkPoints.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -88,7 +90,87 @@ struct Questions : testing::Test
   }
 };
 
+// A preview of a point: milliliters, and how many voxels of the image change.
+struct Previewed
+{
+  double Milliliters;
+  vtkIdType Voxels;
+};
+
+Previewed PreviewOf(vtkFlipFreeSegmentation* filter, bool inside, double x)
+{
+  vtkNew<vtkImageData> changed;
+  const double volume = inside ? filter->PreviewInsidePoint(x, 47, 47, changed)
+                               : filter->PreviewOutsidePoint(x, 47, 47, changed);
+  vtkDataArray* const scalars = changed->GetPointData()->GetScalars();
+  Previewed previewed{ volume, 0 };
+  for (vtkIdType voxel = 0; scalars && voxel < scalars->GetNumberOfTuples(); ++voxel)
+  {
+    previewed.Voxels += scalars->GetTuple1(voxel) > 0 ? 1 : 0;
+  }
+  return previewed;
+}
+
 } // namespace
+
+TEST_F(Questions, APreviewIsWhatThePointDoes)
+{
+  this->Filter->KeepForCorrectionsOn();
+  this->Segment(12);
+  const double before = this->Milliliters();
+  const Previewed lobe = PreviewOf(this->Filter, true, 100);
+  EXPECT_NEAR(lobe.Milliliters, 58, 6); // a ball of 24 mm
+  EXPECT_NEAR(lobe.Milliliters, 0.008 * static_cast<double>(lobe.Voxels), 1e-9);
+  EXPECT_EQ(PreviewOf(this->Filter, true, 40).Milliliters, 0); // is inside
+
+  this->Filter->AddInsidePoint(100, 47, 47);
+  ASSERT_EQ(FlipFree::ErrorOfUpdate(this->Filter), "0 errors");
+  // So coarse a mesh does not fill all of it.
+  EXPECT_NEAR(this->Milliliters() - before, 0.85 * lobe.Milliliters, 0.15 * lobe.Milliliters);
+  EXPECT_EQ(PreviewOf(this->Filter, true, 100).Milliliters, 0);
+  EXPECT_GT(PreviewOf(this->Filter, false, 118).Milliliters, 1);
+}
+
+TEST_F(Questions, APreviewLeavesNoTrace)
+{
+  this->Filter->KeepForCorrectionsOn();
+  this->Segment(12);
+  PreviewOf(this->Filter, true, 100);
+  PreviewOf(this->Filter, false, 70);
+  this->Filter->AddInsidePoint(100, 47, 47);
+  ASSERT_EQ(FlipFree::ErrorOfUpdate(this->Filter), "0 errors");
+  vtkNew<vtkDoubleArray> previewed;
+  previewed->DeepCopy(this->Filter->GetOutput()->GetPoints()->GetData());
+
+  this->Filter->KeepForCorrectionsOff();
+  this->Filter->Modified();
+  ASSERT_EQ(FlipFree::ErrorOfUpdate(this->Filter), "0 errors");
+  vtkDataArray* const afresh = this->Filter->GetOutput()->GetPoints()->GetData();
+  ASSERT_EQ(afresh->GetNumberOfValues(), previewed->GetNumberOfValues());
+  for (vtkIdType point = 0; point < afresh->GetNumberOfTuples(); ++point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(afresh->GetComponent(point, axis), previewed->GetComponent(point, axis));
+    }
+  }
+}
+
+TEST_F(Questions, APreviewIsUnknownWhereNothingTells)
+{
+  EXPECT_EQ(PreviewOf(this->Filter, true, 100).Milliliters, -1); // no Update() yet
+  this->Filter->KeepForCorrectionsOn();
+  this->Segment(12);
+  EXPECT_EQ(PreviewOf(this->Filter, false, 48).Milliliters, -1);  // in the seed
+  EXPECT_EQ(PreviewOf(this->Filter, true, 1000).Milliliters, -1); // outside the image
+  this->Filter->UsePublishedParameters();                         // without carving
+  this->Filter->Update();
+  EXPECT_EQ(PreviewOf(this->Filter, true, 100).Milliliters, -1);
+  this->Filter->UseDefaultParameters();
+  this->Filter->KeepForCorrectionsOff();
+  this->Filter->Update();
+  EXPECT_EQ(PreviewOf(this->Filter, true, 100).Milliliters, -1);
+}
 
 TEST_F(Questions, TheFirstIsTheWarningAndAPointAnswersIt)
 {

@@ -35,6 +35,10 @@ struct OrganSegmenter::State
   DeformableSurface FirstSurface;
   CarvingReport Carving;
 
+  // The foreground of the last preview without the constraint that it asks about.
+  ConstraintList PreviewedConstraints;
+  std::optional<BitMask> Previewed;
+
   UnconstrainedCorrection Correction; // keeps the surface without constraints
 };
 
@@ -53,6 +57,7 @@ void OrganSegmenter::SetForeground(BitMask mask)
   this->Kept->Uncorrected = std::move(mask);
   this->Kept->HasUncorrected = true;
   this->Kept->IsGiven = true;
+  this->Kept->Previewed.reset();
   this->Kept->Correction.Forget();
 }
 
@@ -87,6 +92,7 @@ bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver
   kept.Carving = surface.Carving;
   kept.Uncorrected = kept.Organ.GetForeground().GetMask();
   kept.HasUncorrected = true;
+  kept.Previewed.reset();
   return true;
 }
 
@@ -138,6 +144,41 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   surface.First = kept.FirstSurface;
   surface.Carving = kept.Carving;
   return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
+}
+
+std::optional<BitMask> OrganSegmenter::ForegroundBy(const ConstraintList& constraints,
+  const Monitor& monitor)
+{
+  DeformingOrgan& organ = this->Kept->Organ;
+  organ.SettleForeground(this->Kept->Uncorrected);
+  if (!organ.CorrectForeground(constraints, monitor))
+  {
+    return std::nullopt;
+  }
+  return organ.GetForeground().GetMask();
+}
+
+std::optional<BitMask> OrganSegmenter::PreviewForeground(const ConstraintList& constraints,
+  const PointConstraint& next, const Monitor& monitor)
+{
+  State& kept = *this->Kept;
+  if (!kept.HasUncorrected)
+  {
+    return std::nullopt;
+  }
+  if (!kept.Previewed || kept.PreviewedConstraints != constraints)
+  {
+    kept.Previewed = this->ForegroundBy(constraints, monitor);
+    kept.PreviewedConstraints = constraints;
+  }
+  ConstraintList all = constraints;
+  all.push_back(next);
+  const std::optional<BitMask> then = this->ForegroundBy(all, monitor);
+  if (!then || !kept.Previewed)
+  {
+    return std::nullopt;
+  }
+  return DifferenceOf(*kept.Previewed, *then);
 }
 
 void OrganSegmenter::Begin(const ConstraintList& constraints, const DeformableSurface* start,

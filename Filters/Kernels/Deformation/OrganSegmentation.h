@@ -12,6 +12,7 @@
 #include "Image/PointConstraint.h"
 
 #include <memory>
+#include <optional>
 
 namespace FlipFree
 {
@@ -76,6 +77,12 @@ public:
   OrganSurface FindSurface(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
 
+  /// The voxels of the region that leave or enter the foreground, for which constraints hold, by
+  /// one more constraint. Runs nothing. None where the foreground is neither carved nor given, and
+  /// before it is known.
+  std::optional<BitMask> PreviewForeground(const ConstraintList& constraints,
+    const PointConstraint& next, const Monitor& monitor);
+
   // What FindSurface() consists of, for several organs together (OrganGroup.h).
 
   /// Whether the levels run twice: once to find what the foreground is carved from.
@@ -98,6 +105,7 @@ private:
   //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
   //                                an earlier call has made the surface that they correct
 
+  std::optional<BitMask> ForegroundBy(const ConstraintList& constraints, const Monitor& monitor);
   bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
   bool RunWithoutConstraints(const Monitor& monitor);
   void KeepUnconstrained();

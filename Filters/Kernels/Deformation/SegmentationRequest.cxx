@@ -145,6 +145,7 @@ OrganAnswer OrganRuns::Answer(const OrganRequest& request, const Monitor& monito
       this->Filled->Name + " lie outside " + this->Name +
       " and are left out; give an image that holds the whole organ.");
   }
+  this->Constraints = constraints;
   OrganProvenance origin;
   origin.Seed = answer.Seed;
   origin.Constraints = std::move(constraints);
@@ -152,6 +153,12 @@ OrganAnswer OrganRuns::Answer(const OrganRequest& request, const Monitor& monito
   origin.StartLabel = fills ? this->Filled->Label : -1;
   answer.Provenance = ProvenanceOf(origin, request.Settings, this->Volume.Geometry);
   return answer;
+}
+
+std::optional<std::vector<VoxelRun>> OrganRuns::Preview(const PointConstraint& point,
+  const Monitor& monitor)
+{
+  return this->Kept ? this->Kept->Preview(this->Constraints, point, monitor) : std::nullopt;
 }
 
 GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,

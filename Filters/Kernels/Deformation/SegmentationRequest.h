@@ -59,6 +59,15 @@ public:
   OrganAnswer Answer(const OrganRequest& request, const Monitor& monitor,
     const IterationObserver& observer);
 
+  /// The voxels that would change sides by one more inside or outside point than the last run's;
+  /// the surface follows them as far as it can. Runs nothing: it takes as long as a frame. None
+  /// before the first run, without carving, and for points beyond what the last run has smoothed.
+  /// Throws as Answer() does for a point that cannot be used.
+  std::optional<std::vector<VoxelRun>> Preview(const PointConstraint& point,
+    const Monitor& monitor);
+
+  const ImageGeometry& GetGeometry() const { return this->Volume.Geometry; }
+
   /// Frees what is kept between runs.
   void Release();
 
@@ -80,6 +89,7 @@ private:
   std::optional<GivenSurface> Start;
   std::optional<FilledLabel> Filled;
   std::optional<VolumeSegmenter> Kept;
+  ConstraintList Constraints; ///< of the last run
   std::vector<double> MadeOf; ///< the seed, whether a label is filled, and all parameters
 };
 

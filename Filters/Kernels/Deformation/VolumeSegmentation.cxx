@@ -198,7 +198,7 @@ void VolumeSegmenter::Release()
   this->Smooth.reset();
 }
 
-OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
+void VolumeSegmenter::RequireProper(const ConstraintList& constraints) const
 {
   RequireConstraints(this->Volume.Geometry, this->Seed, constraints, this->Name, this->GivenName);
   if (!this->Given)
@@ -207,6 +207,11 @@ OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
   }
   RequireGuard(constraints, this->Settings.Method.Step.Guard);
   this->RequireDataAtSeeds(constraints);
+}
+
+OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
+{
+  this->RequireProper(constraints);
   const VoxelBox box = this->RegionOf(constraints);
   if (!this->Organ || !(box == this->Box))
   {
@@ -241,6 +246,30 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   this->Complete(constraints, result);
   result.StageSeconds[3] = watch.Lap();
   return result;
+}
+
+std::optional<std::vector<VoxelRun>> VolumeSegmenter::Preview(const ConstraintList& constraints,
+  const PointConstraint& next, const Monitor& monitor)
+{
+  ConstraintList all = constraints;
+  all.push_back(next);
+  this->RequireProper(all);
+  if (!this->Organ || !(this->RegionOf(all) == this->Box))
+  {
+    return std::nullopt;
+  }
+  const std::optional<BitMask> changed = this->Organ->PreviewForeground(constraints, next, monitor);
+  if (!changed)
+  {
+    return std::nullopt;
+  }
+  std::vector<VoxelRun> runs;
+  const std::array<int, 3>& first = this->Box.Begin;
+  changed->ForEachRun(0, this->Region.Dimensions[2],
+    [&](int begin, int end, int j, int k) {
+      runs.push_back({ first[1] + j, first[2] + k, first[0] + begin, first[0] + end });
+    });
+  return runs;
 }
 
 void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmentation& result) const

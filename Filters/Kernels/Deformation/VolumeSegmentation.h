@@ -16,6 +16,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -87,6 +88,12 @@ public:
   VolumeSegmentation Segment(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
 
+  /// The voxels that would change sides by one more constraint than the last call's, in the
+  /// foreground that the surface follows. Runs nothing. None where the constraint is beyond what is
+  /// kept, or without carving. Throws as Segment() does.
+  std::optional<std::vector<VoxelRun>> Preview(const ConstraintList& constraints,
+    const PointConstraint& next, const Monitor& monitor);
+
   /// Frees the smoothed image and what else is kept between calls.
   void Release();
 
@@ -101,9 +108,11 @@ public:
 
   /// The part of the volume that the surface can reach, once prepared.
   const VoxelBox& GetBox() const { return this->Box; }
+  const ImageGeometry& GetGeometry() const { return this->Volume.Geometry; }
   double GetNoise() const { return this->Noise; }
 
 private:
+  void RequireProper(const ConstraintList& constraints) const;
   VoxelBox RegionOf(const ConstraintList& constraints) const;
   void PrepareBox(const VoxelBox& box);
   void LookAtSeed();

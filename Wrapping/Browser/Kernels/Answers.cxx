@@ -32,8 +32,9 @@ val ColumnsOf(const std::vector<IterationRecord>& records)
   return columns;
 }
 
-// Four numbers each: j, k, first i, one past the last i.
-val RunsOf(const std::vector<VoxelRun>& runs)
+} // namespace
+
+val ArrayOf(const std::vector<VoxelRun>& runs)
 {
   std::vector<int> numbers;
   numbers.reserve(4 * runs.size());
@@ -43,8 +44,6 @@ val RunsOf(const std::vector<VoxelRun>& runs)
   }
   return ArrayOf(numbers);
 }
-
-} // namespace
 
 GrayVolume GrayVolumeOf(const Volume& image)
 {
@@ -68,7 +67,7 @@ val AnswerOf(const OrganSurface& organ, const Origin& origin, const std::vector<
   answer.set("certified", origin.IsCertified);
   answer.set("provenance", origin.Provenance);
   answer.set("comments", val::array(CommentsOn(origin.Provenance)));
-  answer.set("runs", RunsOf(voxels));
+  answer.set("runs", ArrayOf(voxels));
   answer.set("iterations", ColumnsOf(organ.Iterations));
   answer.set("warnings", val::array(warnings));
   return answer;

@@ -29,6 +29,9 @@ struct Origin
   bool IsCertified;
 };
 
+/// Four numbers each: j, k, first i, one past the last i.
+val ArrayOf(const std::vector<VoxelRun>& runs);
+
 /// { stopReason, aborted, selfIntersections, surface, certified, provenance, comments, runs,
 /// iterations, warnings }.
 val AnswerOf(const OrganSurface& organ, const Origin& origin, const std::vector<VoxelRun>& voxels,

@@ -112,6 +112,27 @@ public:
       });
   }
 
+  // Of one more correction, in the same five numbers.
+  val Preview(const val& correction)
+  {
+    return Guarded(
+      [&]
+      {
+        val answer = val::object();
+        const std::optional<std::vector<VoxelRun>> changed =
+          this->Organ.Preview(ConstraintsOf(correction).at(0), NeverStop);
+        answer.set("isKnown", changed.has_value());
+        if (changed)
+        {
+          answer.set("runs", ArrayOf(*changed));
+          answer.set("volume",
+            static_cast<double>(CountVoxels(*changed)) * this->Organ.GetGeometry().VoxelVolume() /
+              1000);
+        }
+        return answer;
+      });
+  }
+
 private:
   const std::shared_ptr<Volume> Image;
   OrganRuns Organ;
@@ -130,7 +151,8 @@ void BindSegmentation()
   emscripten::class_<Runs>("OrganRuns")
     .constructor<std::shared_ptr<Volume>>()
     .function("setStart", &Runs::SetStart)
-    .function("segment", &Runs::Segment);
+    .function("segment", &Runs::Segment)
+    .function("preview", &Runs::Preview);
 }
 
 } // namespace FlipFree

@@ -16,6 +16,8 @@ import {
   type PhantomOptions,
   type ReadOptions,
   type Preset,
+  type Preview,
+  type PreviewPoint,
   type RunOptions,
   type Scores,
   type Seed,
@@ -129,6 +131,14 @@ export class FlipFree {
     }
     const seed = "labels" in start ? null : start;
     return this.askAfter(needed, "segment", { seed, preset, parameters, corrections }, options);
+  }
+
+  /** What one more inside or outside point would change in the organ of the last call of `segment`; the surface follows as
+   * far as it can. It runs nothing, so it takes as long as a frame. Null where what is kept of that call does not tell: it was
+   * stopped or without carving, or the point lies beyond what the surface can reach. Rejects for a point that `segment` would
+   * refuse. */
+  preview(point: PreviewPoint): Promise<Preview | null> {
+    return this.ask("preview", { point });
   }
 
   /** The vessel between two points, or the tree of vessels that joins more: one at each end, more on the way or at the

@@ -19,6 +19,8 @@ import {
   type Phantom,
   type PhantomSeed,
   type Preset,
+  type Preview,
+  type PreviewPoint,
   type Question,
   type Scores,
   type Seed,
@@ -45,6 +47,7 @@ interface OrganRuns {
     corrections: number[],
     report: Report,
   ): Answer<KernelOrgan>;
+  preview(correction: number[]): Answer<{ isKnown: boolean } & Preview>;
   delete(): void;
 }
 
@@ -183,6 +186,16 @@ export class Engine {
       seed: { center: triple(organ.seed.center), radius: organ.seed.radius },
       questions: organ.questions.map((question) => ({ ...question, place: triple(question.place) })),
     };
+  }
+
+  /** Of one inside or outside point more than the last organ has; null where what is kept of it does not tell. */
+  preview(point: PreviewPoint): Preview | null {
+    if (!this.runs) {
+      throw new FlipFreeError("There is no image");
+    }
+    const corrections = "inside" in point ? { inside: [point.inside] } : { outside: [point.outside] };
+    const { isKnown, runs, volume } = this.checked(this.runs.preview(correctionNumbers(corrections)));
+    return isKnown ? { runs, volume } : null;
   }
 
   trace(points: readonly Triple[], parameters: Parameters = {}, report: Report = goOn): Vessel {

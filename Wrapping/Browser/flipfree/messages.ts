@@ -14,6 +14,8 @@ import type {
   Parameters,
   Phantom,
   Preset,
+  Preview,
+  PreviewPoint,
   Scores,
   Seed,
   StartLabels,
@@ -30,6 +32,7 @@ export interface Requests {
   /** The label that the following runs without a seed fill. */
   setStart: { start: StartLabels };
   segment: { seed: Seed | null; preset: Preset; parameters: Parameters; corrections: Corrections };
+  preview: { point: PreviewPoint };
   trace: { points: readonly Triple[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
@@ -46,6 +49,7 @@ export interface Answers {
   setImage: null;
   setStart: null;
   segment: Organ;
+  preview: Preview | null;
   trace: Vessel;
   evaluate: Scores;
   selfIntersections: number;

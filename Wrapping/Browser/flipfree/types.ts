@@ -91,6 +91,17 @@ export interface StartLabels {
   label?: number;
 }
 
+/** A point that may become a correction. */
+export type PreviewPoint = { inside: Triple } | { outside: Triple };
+
+/** What a correction is going to change. */
+export interface Preview {
+  /** The voxels that change sides, as runs of four numbers: j, k, the first i, and one past the last i. */
+  runs: Int32Array;
+  /** Theirs, in milliliters. */
+  volume: number;
+}
+
 /** What a user knows of an organ. A list is a set: its order means nothing. */
 export interface Corrections {
   /** Points that the surface encloses. */

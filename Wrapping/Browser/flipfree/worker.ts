@@ -36,6 +36,7 @@ const work: Work = {
   setStart: (engine, { start }) => (engine.setStart(start), null),
   segment: (engine, { seed, preset, parameters, corrections }, report) =>
     engine.segment(seed, preset, parameters, corrections, report),
+  preview: (engine, { point }) => engine.preview(point),
   trace: (engine, { points, parameters }, report) => engine.trace(points, parameters, report),
   evaluate: (engine, { segmentation, reference, parameters }, report) =>
     engine.evaluate(segmentation, reference, parameters, report),
