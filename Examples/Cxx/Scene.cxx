@@ -2,6 +2,7 @@
 
 #include <vtkCamera.h>
 #include <vtkCutter.h>
+#include <vtkImageConstantPad.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLogger.h>
 #include <vtkLookupTable.h>
@@ -77,6 +78,30 @@ vtkSmartPointer<vtkRenderer> MakeView(const Actors& actors, const std::string& c
   return renderer;
 }
 
+/// An image's values in the slice through a point.
+vtkSmartPointer<vtkActor> SampledActor(vtkImageData* image, const Vector& center,
+  const Plane& plane, int samples, vtkLookupTable* colors, const double range[2])
+{
+  const double* bounds = image->GetBounds();
+  vtkNew<vtkPlaneSource> grid;
+  grid->SetOrigin(CornerOf(bounds, center, plane, false, false).data());
+  grid->SetPoint1(CornerOf(bounds, center, plane, true, false).data());
+  grid->SetPoint2(CornerOf(bounds, center, plane, false, true).data());
+  grid->SetResolution(samples, samples);
+  vtkNew<vtkProbeFilter> probe; // knows direction matrices
+  probe->SetInputConnection(grid->GetOutputPort());
+  probe->SetSourceData(image);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(probe->GetOutputPort());
+  mapper->SetLookupTable(colors);
+  mapper->SetScalarRange(range[0], range[1]);
+  mapper->InterpolateScalarsBeforeMappingOn();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[3])
@@ -105,27 +130,36 @@ vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[
 vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& center, const Plane& plane,
   int samples)
 {
-  const double* bounds = image->GetBounds();
-  vtkNew<vtkPlaneSource> grid;
-  grid->SetOrigin(CornerOf(bounds, center, plane, false, false).data());
-  grid->SetPoint1(CornerOf(bounds, center, plane, true, false).data());
-  grid->SetPoint2(CornerOf(bounds, center, plane, false, true).data());
-  grid->SetResolution(samples, samples);
-  vtkNew<vtkProbeFilter> probe; // knows direction matrices
-  probe->SetInputConnection(grid->GetOutputPort());
-  probe->SetSourceData(image);
   vtkNew<vtkLookupTable> gray;
   gray->SetSaturationRange(0, 0);
   gray->SetValueRange(0, 1);
   gray->SetRampToLinear();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(probe->GetOutputPort());
-  mapper->SetLookupTable(gray);
-  mapper->SetScalarRange(-150, 250);
-  mapper->InterpolateScalarsBeforeMappingOn();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
+  const double range[2] = { -150, 250 };
+  return SampledActor(image, center, plane, samples, gray, range);
+}
+
+vtkSmartPointer<vtkActor> MaskActor(vtkImageData* mask, const Vector& center, const Plane& plane,
+  const double color[3])
+{
+  int extent[6];
+  mask->GetExtent(extent);
+  for (int side = 0; side < 6; ++side)
+  {
+    extent[side] += side % 2 == 0 ? -1 : 1; // so that even a single voxel has a rim
+  }
+  vtkNew<vtkImageConstantPad> padded;
+  padded->SetInputData(mask);
+  padded->SetOutputWholeExtent(extent);
+  padded->Update();
+  vtkNew<vtkLookupTable> colors;
+  colors->SetNumberOfTableValues(2);
+  colors->SetTableValue(0, 0, 0, 0, 0);
+  colors->SetTableValue(1, color[0], color[1], color[2], 0.5);
+  const double range[2] = { 0, 1 };
+  const auto actor = SampledActor(padded->GetOutput(), center, plane, 150, colors, range);
+  Vector normal = NormalOf(plane);
+  actor->SetPosition(normal[0] / 2, normal[1] / 2, normal[2] / 2); // in front of the slice
+  actor->ForceTranslucentOn();
   return actor;
 }
 
