@@ -19,7 +19,7 @@ from vtkmodules.vtkFiltersCore import (
     vtkTriangleFilter,
 )
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkImagingCore import vtkImageConstantPad, vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -89,6 +89,37 @@ def defect_actor(surface, color, mark):
 
 def slice_actor(image, center, plane, window=(-150, 250), samples=500):
     """A slice through a point in gray values, over the whole image, by default the abdomen's."""
+    actor = _sampled_actor(image, center, plane, samples)
+    mapper = actor.GetMapper()
+    mapper.SetScalarRange(window)
+    gray = mapper.GetLookupTable()
+    gray.SetSaturationRange(0, 0)
+    gray.SetValueRange(0, 1)
+    gray.SetRampToLinear()
+    return actor
+
+
+def mask_actor(mask, center, plane, color):
+    """The voxels of a mask in the slice through a point; the image shows through."""
+    padded = vtkImageConstantPad()  # so that even a single voxel has a rim
+    padded.SetInputData(mask)
+    padded.SetOutputWholeExtent([end + outward for end, outward in
+                                 zip(mask.GetExtent(), (-1, 1) * 3)])
+    padded.Update()
+    colors = vtkLookupTable()
+    colors.SetNumberOfTableValues(2)
+    colors.SetTableValue(0, 0, 0, 0, 0)
+    colors.SetTableValue(1, *color, 0.5)
+    actor = _sampled_actor(padded.GetOutput(), center, plane, samples=150)
+    actor.GetMapper().SetLookupTable(colors)
+    actor.GetMapper().SetScalarRange(0, 1)
+    actor.SetPosition([part / 2 for part in _cross(*plane)])  # in front of the slice
+    actor.ForceTranslucentOn()
+    return actor
+
+
+def _sampled_actor(image, center, plane, samples):
+    """An image's values in the slice through a point."""
     right, up = plane
     bounds = image.GetBounds()
     corners = []
@@ -109,12 +140,7 @@ def slice_actor(image, center, plane, window=(-150, 250), samples=500):
     probe.SetSourceData(image)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(probe.GetOutputPort())
-    mapper.SetScalarRange(window)
     mapper.InterpolateScalarsBeforeMappingOn()
-    gray = mapper.GetLookupTable()
-    gray.SetSaturationRange(0, 0)
-    gray.SetValueRange(0, 1)
-    gray.SetRampToLinear()
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
