@@ -12,10 +12,11 @@
 namespace
 {
 
-constexpr int ClickPixels = 3;   // a mouse that moves farther than this drags
-constexpr double StrokeStep = 3; // mm between the points of a stroke
-constexpr int Milliseconds = 30; // between previews
-constexpr double Violet[3] = { 0.95, 0.45, 1.0 };
+constexpr int ClickPixels = 3;                    // a mouse that moves farther than this drags
+constexpr double StrokeStep = 3;                  // mm between the points of a stroke
+constexpr int Milliseconds = 30;                  // between previews
+constexpr double Violet[3] = { 0.95, 0.45, 1.0 }; // of the question that keys answer
+constexpr double Dim[3] = { 0.75, 0.5, 0.8 };     // of others
 
 const Mode Modes[] = {
   { 'l', "the slices go there", nullptr },
@@ -45,8 +46,8 @@ std::string TextOf(const Question& question)
 {
   char text[200];
   std::snprintf(text, sizeof(text),
-    "Is the part of %.0f ml at (%.0f, %.0f, %.0f) mm organ? It is %s. y: yes, n: no, g: go there",
-    question.Volume, question.Place[0], question.Place[1], question.Place[2],
+    "Is the part of %.0f ml at (%.0f, %.0f, %.0f) mm organ? It is %s.", question.Volume,
+    question.Place[0], question.Place[1], question.Place[2],
     question.Included ? "included" : "left out");
   return text;
 }
@@ -136,10 +137,14 @@ void CorrectionWindow::Say(const std::string& words)
 void CorrectionWindow::ShowWords()
 {
   std::string text = "click: " + std::string(this->Now->Words) + " (o, i, b, l; u, a)";
-  for (const std::string& line : { this->Preview, this->Words,
-         this->Questions.empty() ? "" : TextOf(this->Questions[this->Asked]) })
+  for (const std::string& line : { this->Preview, this->Words })
   {
     text += line.empty() ? "" : "\n" + Wrapped(line);
+  }
+  if (!this->Questions.empty())
+  {
+    text += "\n" + Wrapped(TextOf(this->Questions[this->Asked]));
+    text += "\ny: yes, n: no, g: the slices go there";
   }
   this->Views.SetWords(text);
 }
@@ -185,7 +190,8 @@ void CorrectionWindow::ShowMarks()
   add(this->Now->What, this->Stroke);
   for (const Question& question : this->Questions)
   {
-    marks.push_back({ question.Place, Violet, "?", ReachOf(question) });
+    const bool isAsked = &question == &this->Questions[this->Asked];
+    marks.push_back({ question.Place, isAsked ? Violet : Dim, "?", ReachOf(question) });
   }
   this->Views.ShowMarks(marks);
   this->Views.GetWindow()->Render();

@@ -1,6 +1,7 @@
 #include "Scene.h"
 
 #include <vtkCamera.h>
+#include <vtkClipPolyData.h>
 #include <vtkCutter.h>
 #include <vtkImageConstantPad.h>
 #include <vtkImageShrink3D.h>
@@ -78,9 +79,9 @@ vtkSmartPointer<vtkRenderer> MakeView(const Actors& actors, const std::string& c
   return renderer;
 }
 
-/// An image's values in the slice through a point.
-vtkSmartPointer<vtkActor> SampledActor(vtkImageData* image, const Vector& center,
-  const Plane& plane, int samples, vtkLookupTable* colors, const double range[2])
+/// An image's values in the slice through a point, over its bounds.
+vtkSmartPointer<vtkProbeFilter> Sampled(vtkImageData* image, const Vector& center,
+  const Plane& plane, int samples)
 {
   const double* bounds = image->GetBounds();
   vtkNew<vtkPlaneSource> grid;
@@ -88,18 +89,10 @@ vtkSmartPointer<vtkActor> SampledActor(vtkImageData* image, const Vector& center
   grid->SetPoint1(CornerOf(bounds, center, plane, true, false).data());
   grid->SetPoint2(CornerOf(bounds, center, plane, false, true).data());
   grid->SetResolution(samples, samples);
-  vtkNew<vtkProbeFilter> probe; // knows direction matrices
+  auto probe = vtkSmartPointer<vtkProbeFilter>::New(); // knows direction matrices
   probe->SetInputConnection(grid->GetOutputPort());
   probe->SetSourceData(image);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(probe->GetOutputPort());
-  mapper->SetLookupTable(colors);
-  mapper->SetScalarRange(range[0], range[1]);
-  mapper->InterpolateScalarsBeforeMappingOn();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  return actor;
+  return probe;
 }
 
 } // namespace
@@ -134,8 +127,15 @@ vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& center, 
   gray->SetSaturationRange(0, 0);
   gray->SetValueRange(0, 1);
   gray->SetRampToLinear();
-  const double range[2] = { -150, 250 };
-  return SampledActor(image, center, plane, samples, gray, range);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(Sampled(image, center, plane, samples)->GetOutputPort());
+  mapper->SetLookupTable(gray);
+  mapper->SetScalarRange(-150, 250);
+  mapper->InterpolateScalarsBeforeMappingOn();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
 }
 
 vtkSmartPointer<vtkActor> MaskActor(vtkImageData* mask, const Vector& center, const Plane& plane,
@@ -145,21 +145,27 @@ vtkSmartPointer<vtkActor> MaskActor(vtkImageData* mask, const Vector& center, co
   mask->GetExtent(extent);
   for (int side = 0; side < 6; ++side)
   {
-    extent[side] += side % 2 == 0 ? -1 : 1; // so that even a single voxel has a rim
+    extent[side] += side % 2 == 0 ? -1 : 1; // a rim around a single voxel, too
   }
-  vtkNew<vtkImageConstantPad> padded;
-  padded->SetInputData(mask);
-  padded->SetOutputWholeExtent(extent);
-  padded->Update();
-  vtkNew<vtkLookupTable> colors;
-  colors->SetNumberOfTableValues(2);
-  colors->SetTableValue(0, 0, 0, 0, 0);
-  colors->SetTableValue(1, color[0], color[1], color[2], 0.5);
-  const double range[2] = { 0, 1 };
-  const auto actor = SampledActor(padded->GetOutput(), center, plane, 150, colors, range);
-  Vector normal = NormalOf(plane);
+  vtkNew<vtkImageConstantPad> rim;
+  rim->SetInputData(mask);
+  rim->SetOutputWholeExtent(extent);
+  rim->Update();
+  vtkImageData* const padded = rim->GetOutput();
+  padded->SetDirectionMatrix(mask->GetDirectionMatrix()); // which VTK 9.1 drops
+  vtkNew<vtkClipPolyData> part;
+  part->SetInputConnection(Sampled(padded, center, plane, 150)->GetOutputPort());
+  part->SetValue(0.5);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(part->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  const Vector normal = NormalOf(plane);
   actor->SetPosition(normal[0] / 2, normal[1] / 2, normal[2] / 2); // in front of the slice
-  actor->ForceTranslucentOn();
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetOpacity(0.5);
+  actor->GetProperty()->LightingOff();
   return actor;
 }
 

@@ -34,6 +34,8 @@ vtkSmartPointer<vtkProp> PropOf(const Mark& mark)
     look->SetJustificationToCentered();
     look->SetVerticalJustificationToCentered();
     look->BoldOn();
+    look->ShadowOn();
+    look->SetBackgroundOpacity(0); // the tissue there is what one judges
     return letter;
   }
   vtkNew<vtkSphereSource> ball;

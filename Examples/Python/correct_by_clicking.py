@@ -27,7 +27,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 CLICK_PIXELS = 3  # a mouse that moves farther than this drags
 STROKE_STEP = 3  # mm between the points of a stroke
 MILLISECONDS = 30  # between previews
-VIOLET = (0.95, 0.45, 1.0)
+VIOLET, DIM = (0.95, 0.45, 1.0), (0.75, 0.5, 0.8)  # of the question that keys answer, of others
 COLORS = {OUTSIDE: scene.RED, INSIDE: (0.3, 0.8, 0.35), BOUNDARY: scene.BLUE}
 # What a click means, by the key that says so; l only moves the slices.
 MEANINGS = {"o": OUTSIDE, "i": INSIDE, "b": BOUNDARY, "l": "the slices go there"}
@@ -175,17 +175,18 @@ class CorrectionWindow:
 
     def show_words(self):
         """Below the view into space."""
-        question = (f"{self.questions[self.asked]} y: yes, n: no, g: go there" if self.questions
-                    else "")
-        lines = [textwrap.fill(line, 72) for line in (self.preview, self.words, question) if line]
-        self.views.words.SetInput("\n".join([f"click: {self.meaning} (o, i, b, l; u, a)", *lines]))
+        lines = [f"click: {self.meaning} (o, i, b, l; u, a)", self.preview, self.words]
+        if self.questions:
+            lines += [str(self.questions[self.asked]), "y: yes, n: no, g: the slices go there"]
+        self.views.words.SetInput("\n".join(textwrap.fill(line, 72) for line in lines if line))
 
     def show_marks(self):
         """A ball at each point, a question mark at each question."""
         points = [(meaning, place) for meaning, places in self.organ.done for place in places]
         points += [(self.meaning, place) for place in self.stroke]
         marks = [(place, COLORS[meaning], None, 0) for meaning, place in points]
-        marks += [(question.place, VIOLET, "?", _reach(question)) for question in self.questions]
+        marks += [(question.place, VIOLET if number == self.asked else DIM, "?", _reach(question))
+                  for number, question in enumerate(self.questions)]
         self.views.show_marks(marks)
         self.views.window.Render()
 

@@ -125,4 +125,6 @@ def _letter(letter, place, color):
     look.SetJustificationToCentered()
     look.SetVerticalJustificationToCentered()
     look.BoldOn()
+    look.ShadowOn()
+    look.SetBackgroundOpacity(0)  # the tissue there is what one judges
     return actor

@@ -15,6 +15,8 @@ import inputs  # noqa: E402
 import numpy  # noqa: E402
 import scene  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
 from vtkmodules.vtkRenderingCore import vtkCoordinate  # noqa: E402
 
 
@@ -58,6 +60,24 @@ def label_at(window, place):
     return labels.GetPointData().GetScalars().GetTuple1(labels.FindPoint(place))
 
 
+def covers(actor, place):
+    """Whether the box of what is drawn, a little in front of its slice, holds a place."""
+    bounds = numpy.reshape(actor.GetBounds(), (3, 2))
+    return bool(((bounds[:, 0] - 1 <= place) & (place <= bounds[:, 1] + 1)).all())
+
+
+def one_voxel():
+    """Of a mask whose first two axes run backward, and its place."""
+    mask = vtkImageData()
+    mask.SetExtent(7, 7, 5, 5, 3, 3)
+    mask.SetSpacing(2, 2, 3)
+    mask.SetOrigin(100, 50, 0)
+    mask.SetDirectionMatrix(-1, 0, 0, 0, -1, 0, 0, 0, 1)
+    mask.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+    mask.SetScalarComponentFromDouble(7, 5, 3, 0, 1)
+    return mask, [86, 40, 9]
+
+
 def volume_of(window):
     """In ml."""
     labels = window.organ.filter.GetLabelMap()
@@ -84,7 +104,8 @@ def main():
     window.interactor.InvokeEvent("TimerEvent")
     taken = re.search(r"a click here takes ([\d.]+) ml", window.views.words.GetInput())
     assert taken, window.views.words.GetInput()
-    assert window.views.shown["mask"], "the part is colored"
+    (_, part), _ = window.views.shown["mask"]
+    assert covers(part, place), "the part is colored"
     volume = volume_of(window)
     click(window, on_screen(axial, place))
     assert abs(volume - volume_of(window) - float(taken[1])) < 0.5 * float(taken[1]), (volume, taken)
@@ -102,6 +123,10 @@ def main():
     assert window.organ.done == [found] and numpy.array_equal(points(window), corrected)
     press(window, "a")
     assert window.organ.done == [found]
+
+    mask, at = one_voxel()
+    for plane in (scene.AXIAL, scene.CORONAL):
+        assert covers(scene.mask_actor(mask, at, plane, scene.RED), at)
 
     # A place on the surface, in space, is on the boundary; a drag there turns the view and adds nothing.
     press(window, "b")
