@@ -71,6 +71,18 @@ def make_folder(path: str) -> None:
         ) from error
 
 
+@contextmanager
+def output_folder(path: str) -> Iterator[None]:
+    """Creates a folder, unless there is one; a new one into which nothing comes goes again."""
+    is_new = not os.path.isdir(path)
+    make_folder(path)
+    try:
+        yield
+    finally:
+        if is_new and not os.listdir(path):
+            os.rmdir(path)
+
+
 def _refusal(name: str, error: OSError) -> FileError:
     return FileError(
         f"'{name}' cannot be written ({error.strerror or error}). Check that its folder exists, is "

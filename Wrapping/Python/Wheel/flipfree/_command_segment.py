@@ -11,7 +11,7 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
-from ._command_ask import ask, require_answers
+from ._command_ask import ask, require_answers, say_nothing_to_ask
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
     POINTS,
@@ -163,6 +163,8 @@ def _segment_one(
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
     if "ask" in values:
+        if not organ.questions:
+            say_nothing_to_ask(values)
         answers = ask(organ.questions)
         points = [*points, *answers_of(organ.questions, answers)]
         organ = organ.answered(answers, progress=progress or None) if answers else organ
