@@ -149,10 +149,10 @@ void CorrectionWindow::ShowWords()
   this->Views.SetWords(text);
 }
 
-/// Of a click where the mouse has come to rest, or is now: places between are not of interest.
+/// Of a click where the mouse is now; the places on its way are not of interest.
 void CorrectionWindow::ShowPreview()
 {
-  if (!this->IsPreviewStale || this->IsHeld)
+  if (!this->IsPreviewStale || this->IsHeld || !this->Now->IsOfParts())
   {
     return;
   }
@@ -161,13 +161,13 @@ void CorrectionWindow::ShowPreview()
   Scene::Vector place;
   vtkNew<vtkImageData> changed;
   this->Preview.clear();
-  if (this->Now->IsOfParts() && this->Views.SliceAt(mouse) >= 0 && this->Views.Pick(mouse, place))
+  const Meaning& what = *this->Now->What;
+  if (this->Views.SliceAt(mouse) >= 0 && this->Views.Pick(mouse, place))
   {
-    const double milliliters = this->Organ.Preview(*this->Now->What, place, changed);
-    this->Preview = TextOfPreview(milliliters, this->Now->What == &Inside);
+    const double milliliters = this->Organ.Preview(what, place, changed);
+    this->Preview = TextOfPreview(milliliters, &what == &Inside);
   }
-  this->Views.ShowMask(changed->GetNumberOfPoints() > 0 ? changed.Get() : nullptr,
-    this->Now->What ? this->Now->What->Color : nullptr);
+  this->Views.ShowMask(changed->GetNumberOfPoints() > 0 ? changed.Get() : nullptr, what.Color);
   this->ShowWords();
   this->Views.GetWindow()->Render();
 }
@@ -200,11 +200,6 @@ void CorrectionWindow::ShowMarks()
 /// The next one, where the slices are at one already.
 void CorrectionWindow::GoToQuestion()
 {
-  if (this->Questions.empty())
-  {
-    this->Say("there is no question");
-    return;
-  }
   if (this->HasGone)
   {
     this->Asked = (this->Asked + 1) % this->Questions.size();
@@ -216,11 +211,6 @@ void CorrectionWindow::GoToQuestion()
 
 void CorrectionWindow::Answer(bool isPart)
 {
-  if (this->Questions.empty())
-  {
-    this->Say("there is no question");
-    return;
-  }
   const Scene::Vector place = this->Questions[this->Asked].Place;
   this->Asked = 0;
   this->HasGone = false;
@@ -325,11 +315,20 @@ void CorrectionWindow::TakeKey()
       }
       break;
     case 'g':
-      this->GoToQuestion();
-      break;
     case 'y':
     case 'n':
-      this->Answer(key == 'y');
+      if (this->Questions.empty())
+      {
+        this->Say("there is no question");
+      }
+      else if (key == 'g')
+      {
+        this->GoToQuestion();
+      }
+      else
+      {
+        this->Answer(key == 'y');
+      }
       break;
     default:
       break;

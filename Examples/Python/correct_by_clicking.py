@@ -192,20 +192,17 @@ class CorrectionWindow:
 
     def show_preview(self):
         """Of a click where the mouse is now; the places on its way are not of interest."""
-        if not self.is_preview_stale or self.is_held:
+        if not self.is_preview_stale or self.is_held or self.meaning not in PREVIEW:
             return
         self.is_preview_stale = False
         mouse = self.interactor.GetEventPosition()
-        place = None
-        if self.meaning in PREVIEW and self.views.slice_at(mouse):
-            place = self.views.pick(mouse)
+        place = self.views.pick(mouse) if self.views.slice_at(mouse) else None
         changed = vtkImageData()
         self.preview = ""
         if place:
             volume = self.organ.preview(self.meaning, place, changed)
             self.preview = _words_of_preview(volume, "adds" if self.meaning == INSIDE else "takes")
-        self.views.show_mask(changed if changed.GetNumberOfPoints() else None,
-                             COLORS.get(self.meaning))
+        self.views.show_mask(changed if changed.GetNumberOfPoints() else None, COLORS[self.meaning])
         self.show_words()
         self.views.window.Render()
 

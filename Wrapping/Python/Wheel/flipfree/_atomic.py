@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 from ._errors import FileError
@@ -79,8 +79,9 @@ def output_folder(path: str) -> Iterator[None]:
     try:
         yield
     finally:
-        if is_new and not os.listdir(path):
-            os.rmdir(path)
+        if is_new:
+            with suppress(OSError):  # which it is, unless the folder is empty
+                os.rmdir(path)
 
 
 def _refusal(name: str, error: OSError) -> FileError:
