@@ -79,6 +79,7 @@
  * Warnings, which still give a result:
  * - The seed sphere reaches beyond the image, its gray values scatter far more than those in its
  *   inner half, or the surface touches the end of Reach.
+ * - More than a fiftieth of the surface lies beside voxels without data.
  * - No vertex found a boundary, or the surface could not be refined.
  * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
  *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies

@@ -4,6 +4,7 @@
 //
 //   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S] [--details]
 //                 [--questions] [--locality] [--surface-dice] [--preview]
+//                 [--bad-starts N]
 //
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
@@ -16,6 +17,9 @@
 // How often results were wrong about what they ask is printed in any case. With --preview, each
 // click is previewed first: how long that takes, and the Dice score of the voxels that it names
 // with those that change.
+//
+// With --bad-starts, each row is started from N random seeds, and only those whose result is below
+// 0.8 are corrected.
 //
 // The areas under the curves of Dice, and with --surface-dice of the surface Dice at 2 mm, over the
 // clicks without the start are those of the challenge Foundation Models for Interactive 3D
@@ -66,6 +70,7 @@ struct Options
   bool Questions = false; ///< answered in place of clicks
   bool SurfaceDice = false;
   bool Preview = false;  ///< before each click
+  int BadStarts = 0;     ///< random seeds per row, of which bad ones are corrected
   bool Locality = false; ///< a line per click: what it moves where it should not
 };
 
@@ -375,12 +380,12 @@ std::optional<BitMask> PreviewOf(VolumeSegmenter& segmenter, const ConstraintLis
   return MaskOfRuns(*changed, segmenter.GetGeometry());
 }
 
-Row MeasureRow(const Case& row, const Options& options)
+constexpr double BadStart = 0.8; // Dice
+
+// From one seed; nothing for a start that is not bad, where only these are wanted.
+std::optional<Row> MeasureRow(const Case& row, vtkImageData* image, const BitMask& reference,
+  const SeedSphere& seed, const Options& options)
 {
-  const auto image = ReadVolume(options.Data + "/" + row.Image);
-  const auto labels = ReadVolume(options.Data + "/" + row.Labels);
-  const BitMask reference = LabelVolumeOf(labels, row.Labels).MaskOf(row.Label);
-  const SeedSphere seed{ Eigen::Vector3d(row.Seed.data()), row.Radius };
   VolumeSegmenter segmenter(GrayVolumeOf(image, row.Image), row.Image, seed, nullptr, {},
     SMPThreading());
   std::mt19937 random(options.Seed);
@@ -416,6 +421,10 @@ Row MeasureRow(const Case& row, const Options& options)
     result.Disobeyed += CountDisobeyed(clicks, run.Organ);
     const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
     result.Scores.push_back(DiceOf(found, reference));
+    if (options.BadStarts > 0 && result.Scores.front() >= BadStart)
+    {
+      return std::nullopt;
+    }
     if (options.SurfaceDice)
     {
       result.SurfaceScores.push_back(SurfaceDiceOf(found, reference, SurfaceTolerance));
@@ -493,6 +502,30 @@ Row MeasureRow(const Case& row, const Options& options)
   std::printf(" %s | %d |\n", kinds.substr(0, options.Clicks).c_str(), result.Disobeyed);
   std::fflush(stdout);
   return result;
+}
+
+// From the row's own seed, or from random ones.
+std::vector<Row> MeasureStarts(const Case& row, const Options& options)
+{
+  const auto image = ReadVolume(options.Data + "/" + row.Image);
+  const auto labels = ReadVolume(options.Data + "/" + row.Labels);
+  const BitMask reference = LabelVolumeOf(labels, row.Labels).MaskOf(row.Label);
+  std::vector<RandomSeed> seeds{ { row.Seed, row.Radius } };
+  if (options.BadStarts > 0)
+  {
+    seeds = RandomSeeds(labels, row.Label, row.Radius, options.BadStarts);
+  }
+  std::vector<Row> rows;
+  for (const RandomSeed& seed : seeds)
+  {
+    const std::optional<Row> measured = MeasureRow(row, image, reference,
+      { Eigen::Vector3d(seed.Center.data()), seed.Radius }, options);
+    if (measured)
+    {
+      rows.push_back(*measured);
+    }
+  }
+  return rows;
 }
 
 // The clicks that half of the rows need; "more" than were made.
@@ -588,6 +621,8 @@ int main(int argc, char* argv[])
     "instead of clicks, truthful answers to the first question of each result");
   app.add_flag("--surface-dice", options.SurfaceDice, "also the surface Dice, at 2 mm");
   app.add_flag("--preview", options.Preview, "what each click is going to change");
+  app.add_option("--bad-starts", options.BadStarts,
+    "random seeds per row, of which those are corrected that start below 0.8");
   app.add_flag("--locality", options.Locality, "what a click moves beyond its domain");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
@@ -608,17 +643,19 @@ int main(int argc, char* argv[])
     {
       continue;
     }
-    const Row result = MeasureRow(row, options);
-    groups[row.Organ].push_back(result);
-    seconds.insert(seconds.end(), result.Seconds.begin(), result.Seconds.end());
-    previewSeconds.insert(previewSeconds.end(), result.PreviewSeconds.begin(),
-      result.PreviewSeconds.end());
-    previewDice.insert(previewDice.end(), result.PreviewDice.begin(), result.PreviewDice.end());
-    disobeyed += result.Disobeyed;
-    refused += result.Refused;
-    notMonotone += result.NotMonotone;
-    asked.insert(asked.end(), result.Asked.begin(), result.Asked.end());
-    rowsWithoutQuestions += result.Asked.empty() ? 1 : 0;
+    for (const Row& result : MeasureStarts(row, options))
+    {
+      groups[row.Organ].push_back(result);
+      seconds.insert(seconds.end(), result.Seconds.begin(), result.Seconds.end());
+      previewSeconds.insert(previewSeconds.end(), result.PreviewSeconds.begin(),
+        result.PreviewSeconds.end());
+      previewDice.insert(previewDice.end(), result.PreviewDice.begin(), result.PreviewDice.end());
+      disobeyed += result.Disobeyed;
+      refused += result.Refused;
+      notMonotone += result.NotMonotone;
+      asked.insert(asked.end(), result.Asked.begin(), result.Asked.end());
+      rowsWithoutQuestions += result.Asked.empty() ? 1 : 0;
+    }
   }
   std::puts("Median, 10th percentile and least by number of clicks; clicks to 0.90, 0.95, 0.97");
   for (const auto& [name, rows] : groups)

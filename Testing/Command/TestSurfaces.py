@@ -85,7 +85,7 @@ class TestSurfaces(command.CommandTest):
     def test_smooth_surfaces_say_what_they_leave(self):
         process = command.run("surfaces", self.labels, "-o", self.folder, "--distance", 1, "--iterations", 80)
         self.assert_succeeds(process)
-        self.assertRegex(process.stdout, r"\n\d+ voxels on the wrong side, [\d.]+ mm at most")
+        self.assertRegex(process.stdout, r"\n\d+ voxels on the wrong side; vertices lie at most [\d.]+ mm from the corners")
 
     def test_names_come_from_nifti(self):
         write_nifti(self.labels, three_labels(), {1: "left kidney", 3: "liver & more"})

@@ -24,11 +24,28 @@ class TestGuide(unittest.TestCase):
         headers = glob.glob(os.path.join(SOURCE, "Filters", "Segmentation", "vtk*.h"))
         setters = re.findall(r"(?:vtkSet\w*Macro\(|void Set)(\w+)", "".join(map(text_of, headers)))
         properties = {re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower() for name in setters}
-        guide = text_of("Examples", "Guide", "README.md")
+        guide = "".join(text_of("Examples", "Guide", page + ".md")
+                        for page in ("README", "parameters", "several-organs", "start-label-map", "label-surfaces", "vessels"))
         named = set(re.findall(r"`([a-z]+(?:_[a-z]+)+)[`=]", guide))
         named |= set(re.findall(r"\b([a-z]+(?:_[a-z]+)*)=-?[\dTF]", guide))
         self.assertGreater(len(named), 15)
         self.assertEqual(named - properties, set())
+
+    def test_the_map_leads_to_every_page(self):
+        pages = {os.path.basename(path) for path in glob.glob(os.path.join(SOURCE, "Examples", "Guide", "*.md"))}
+        page_map = text_of("Examples", "Guide", "README.md").partition("\n## ")[0]
+        self.assertEqual(set(re.findall(r"\]\(([\w-]+\.md)", page_map)) | {"README.md"}, pages)
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(text_of("README.md").count("\n"), 200)
+
+    def test_readme_has_the_numbers_of_the_guide(self):
+        rows = [re.findall(r"^\| (?:[CM][TR] \w+|all) \|.*", text_of(*path), re.MULTILINE)[:7]
+                for path in (("README.md",), ("Examples", "Guide", "measures.md"))]
+        self.assertEqual([len(table) for table in rows], [7, 7])
+        for short, whole in zip(*rows):
+            cells = whole.split(" | ")
+            self.assertEqual(short.split(" | ")[:5], [*cells[:3], cells[4], cells[6]])
 
     def test_all_kernels_have_their_stage(self):
         names = {os.path.splitext(os.path.basename(path))[0]

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace FlipFree;
@@ -135,11 +136,43 @@ TEST(ConstraintEnforcer, NamesThePointThatCannotBeObeyed)
   EXPECT_EQ(CountSelfIntersections(points, sphere.Faces()), 0);
 }
 
+// A stroke takes as many steps as one of its points.
+TEST(ConstraintEnforcer, PullsTheSurfaceToAStrokeAtOnce)
+{
+  const TestSphere sphere(12); // radius 25
+  ConstraintList stroke;
+  for (int point = 0; point < 40; ++point)
+  {
+    const double angle = 0.03 * point;
+    stroke.push_back(At(ConstraintKind::Inside, 31 * std::cos(angle), 31 * std::sin(angle), 1));
+  }
+  const auto stepsFor = [&](const ConstraintList& constraints)
+  {
+    PointList points = sphere.Points();
+    ConstraintEnforcer enforcer(constraints, 1);
+    EmbeddingGuard guard(sphere.Mesh);
+    const FaceHulls& hulls = guard.Hulls();
+    enforcer.Begin(sphere.Mesh, hulls, points);
+    int steps = 0;
+    const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
+                               PointList& motion) -> PointList
+    {
+      ++steps;
+      guard.SetObstacles(obstacles);
+      return guard.Limit(from, motion, SerialFor, NeverStop).Positions;
+    };
+    EXPECT_TRUE(enforcer.Finish(sphere.Mesh, hulls, step, NeverStop, points));
+    EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 0);
+    return steps;
+  };
+  EXPECT_LE(stepsFor(stroke), 2 * stepsFor({ stroke[20] }));
+}
+
 TEST(ConstraintEnforcer, CanBeStopped)
 {
   const TestSphere sphere(6);
   PointList points = sphere.Points();
-  ConstraintEnforcer enforcer({ At(ConstraintKind::Inside, 33, 0, 0) }, 1);
+  ConstraintEnforcer enforcer({ At(ConstraintKind::Inside, 60, 0, 0) }, 1);
   EmbeddingGuard guard(sphere.Mesh);
   enforcer.Begin(sphere.Mesh, guard.Hulls(), points);
   int asked = 0;

@@ -145,3 +145,29 @@ TEST(SegmentationWarnings, QuestionsThatHardlyMatterAreNone)
   settings.Feature.Carving = false;
   EXPECT_TRUE(WarningOfDoubt(0.5, {}, volume, settings).empty());
 }
+
+TEST(SegmentationWarnings, ASurfaceThatEndsWhereThereIsNoDataIsNoticed)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 40, 40, 40 } };
+  BitMask noData(geometry);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, 1);
+  PointList points(1000, 3);
+  for (Eigen::Index row = 0; row < points.rows(); ++row)
+  {
+    const Eigen::RowVector3d direction(normal(random), normal(random), normal(random));
+    points.row(row) = Eigen::RowVector3d::Constant(20) + 12 * direction.normalized();
+  }
+  EXPECT_EQ(WarningOfNoData(points, BitMask()), "");
+  EXPECT_EQ(WarningOfNoData(points, noData), "");
+  noData.Insert(20, 20, 32); // the pole
+  EXPECT_EQ(WarningOfNoData(points, noData), "");
+  for (int j = 0; j < 40; ++j)
+  {
+    noData.SetRun(true, 0, 40, j, 29); // a slice
+  }
+  const std::string warning = WarningOfNoData(points, noData);
+  EXPECT_NE(warning.find("% of the surface lies where the image has no data"), std::string::npos)
+    << warning;
+}

@@ -93,7 +93,7 @@ with open('/proc/self/maps') as maps:
 assert not strays, strays
 ")
   if (EXISTS "${prefix}/bin/flipfree")
-    run("Following the readme" "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestReadme.py"
-      "${prefix}/share/doc/flipfree/README.md" "${prefix}" "${PYTHON_DESTINATION}" "${VTK_DIR}" "${CXX_COMPILER}")
+    run("Following the readme and the guide" "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestReadme.py"
+      "${prefix}/share/doc/flipfree" "${prefix}" "${PYTHON_DESTINATION}" "${VTK_DIR}" "${CXX_COMPILER}")
   endif ()
 endif ()

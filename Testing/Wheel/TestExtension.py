@@ -172,12 +172,12 @@ class Voxels(unittest.TestCase):
                 flipfree.segment(array, SEED, RADIUS, **geometry)
 
 
-class Readme(unittest.TestCase):
-    def test_lines_work(self):
-        readme = Path(os.environ["FLIPFREE_PYTHON_SOURCE"], "..", "..", "README.md").read_text(encoding="utf-8")
-        section = readme.partition("\n### Python in a virtual environment\n")[2].partition("\n## ")[0]
-        # The others need extras: TestNotebook runs them.
-        program = re.findall("```python\n(.*?)```", section, re.DOTALL)[0]
+class Guide(unittest.TestCase):
+    def test_python_without_vtk(self):
+        source = Path(os.environ["FLIPFREE_PYTHON_SOURCE"]).parents[1]
+        page = (source / "Examples" / "Guide" / "python.md").read_text(encoding="utf-8")
+        section = page.partition("\n## Without VTK\n")[2].partition("\n## ")[0]
+        [program] = re.findall("```python\n(.*?)```", section, re.DOTALL)
         output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
         self.assertRegex(output, r"\Aat rest \(6144, 3\) \d+ voxels\n0\.93\d+\n\Z")
 

@@ -1,4 +1,5 @@
-"""The notebook of the examples runs from the first cell to the last, and draws its pictures; so do the readme's lines.
+"""The notebook of the examples runs from the first cell to the last, and draws its pictures; so do the
+guide's lines for PyVista.
 
   TestNotebook.py [--renew]
 
@@ -61,15 +62,12 @@ class Notebook(unittest.TestCase):
         self.assertTrue(all(len(picture) > 10000 for picture in pictures))
 
 
-class Readme(unittest.TestCase):
-    def test_python_in_a_virtual_environment(self):
-        text = (SOURCE / "README.md").read_text(encoding="utf-8")
-        section = re.search(r"(?s)### Python in a virtual environment\n(.*?)\n### ", text)[1]
-        programs = re.findall(r"(?s)```python\n(.*?)```", section)
-        self.assertEqual(len(programs), 2)
+class Guide(unittest.TestCase):
+    def test_pyvista(self):
+        text = (SOURCE / "Examples" / "Guide" / "python.md").read_text(encoding="utf-8")
+        [program] = re.findall(r"(?s)```python\n(.*?)```", text.partition("\n## PyVista\n")[2])
         with tempfile.TemporaryDirectory() as folder:
-            # The first one needs no extras: TestExtension runs it.
-            process = subprocess.run([sys.executable, "-c", programs[1]], cwd=folder, capture_output=True, text=True,
+            process = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                      timeout=300, check=False)
             self.assertEqual((process.returncode, process.stdout, process.stderr), (0, "", ""))
             self.assertGreater((Path(folder) / "liver.png").stat().st_size, 50000)

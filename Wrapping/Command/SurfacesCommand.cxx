@@ -117,7 +117,9 @@ void MakeSurfaces(const SurfacesRequest& request)
   if (!request.Quiet)
   {
     Print(table);
-    std::printf("%lld voxels on the wrong side, %.2f mm at most from where voxels meet\n",
+    std::printf(
+      "%lld voxels on the wrong side; vertices lie at most %.2f mm from the corners where "
+      "voxels of different labels meet\n",
       static_cast<long long>(filter->GetNumberOfWrongVoxels()), filter->GetGreatestDistance());
     std::fflush(stdout);
   }

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace FlipFree
@@ -17,6 +18,7 @@ namespace
 constexpr double Clearance = 1e-3;
 
 constexpr int MaximumRounds = 100;
+constexpr int RoundsTogether = 20;
 // A round that moves the surface by less, in voxels, is the last one.
 constexpr double LeastProgress = 1e-3;
 
@@ -105,6 +107,18 @@ PointList EvenedAt(const ContourMesh& mesh, const PointList& points, const Surfa
     motion.row(vertex) = 0.5 * (toMean - toMean.dot(normal) * normal);
   }
   return motion;
+}
+
+// Of two motions of each vertex.
+void TakeLonger(const PointList& motion, PointList& longer)
+{
+  for (Eigen::Index vertex = 0; vertex < motion.rows(); ++vertex)
+  {
+    if (motion.row(vertex).squaredNorm() > longer.row(vertex).squaredNorm())
+    {
+      longer.row(vertex) = motion.row(vertex);
+    }
+  }
 }
 
 } // namespace
@@ -230,49 +244,83 @@ bool ConstraintEnforcer::Pull(bool outsideOnly, const ContourMesh& mesh, const F
 {
   this->MayPassOutside = false;
   this->MakeObstacles(mesh, hulls, points, true);
-  const PointConstraint* open = nullptr;
-  double moved = this->Spacing;
-  for (int round = 0; round < MaximumRounds && moved > LeastProgress * this->Spacing; ++round)
+  std::vector<const PointConstraint*> meant;
+  for (const PointConstraint& constraint : this->Constraints)
   {
-    open = nullptr;
-    moved = 0;
-    for (const PointConstraint& constraint : this->Constraints)
+    if (!outsideOnly || constraint.Kind == ConstraintKind::Outside)
+    {
+      meant.push_back(&constraint);
+    }
+  }
+  // The points of a stroke are pulled together, at the cost of one, as long as that moves anything;
+  // where they get into each other's way, one after the other.
+  bool together = true;
+  std::vector<const PointConstraint*> open;
+  for (int round = 0; round < MaximumRounds; ++round)
+  {
+    open = this->OpenOf(meant, mesh, hulls, points);
+    double moved = 0;
+    for (std::size_t first = 0; first < open.size(); first += together ? open.size() : 1)
     {
       if (!monitor(static_cast<double>(round) / MaximumRounds))
       {
         return false;
       }
-      const bool isMeant = !outsideOnly || constraint.Kind == ConstraintKind::Outside;
-      if (!isMeant || !this->IsOpen(constraint, mesh, hulls, points))
-      {
-        continue;
-      }
-      open = &constraint;
-      const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraint.Point);
-      const Eigen::Vector3d pull = this->PullOf(constraint, mesh, points, place);
-      PointList evened =
-        EvenedAt(mesh, points, place, 2 * RadiusOfPull(mesh, points, place, pull.norm()));
-      points = step(this->Obstacles, points, evened);
-      PointList motion =
-        BulgeAt(mesh, points, ClosestPlace(points, mesh.Triangles, constraint.Point), pull);
-      const PointList before = points;
-      points = step(this->Obstacles, points, motion);
-      moved = std::max(moved, (points - before).rowwise().norm().maxCoeff());
+      const std::vector<const PointConstraint*> pulled =
+        together ? open : this->OpenOf({ open[first] }, mesh, hulls, points);
+      moved = std::max(moved, this->PullTogether(pulled, mesh, step, points));
       this->MakeObstacles(mesh, hulls, points, true);
     }
-    if (!open)
+    if (open.empty())
     {
       return true;
     }
+    const bool stalls = moved <= LeastProgress * this->Spacing;
+    if (stalls && !together)
+    {
+      break;
+    }
+    together = together && !stalls && round < RoundsTogether;
   }
-  if (open)
+  throw Error(ErrorCode::UnreachablePoint,
+    NameOf(*open.back()) +
+      " cannot be obeyed: the surface of one piece does not get there past the other points; "
+      "move or remove one of them, or give a further seed on the way");
+}
+
+std::vector<const PointConstraint*> ConstraintEnforcer::OpenOf(
+  const std::vector<const PointConstraint*>& constraints, const ContourMesh& mesh,
+  const FaceHulls& hulls, const PointList& points) const
+{
+  std::vector<const PointConstraint*> open;
+  std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(open),
+    [&](const PointConstraint* constraint)
+    { return this->IsOpen(*constraint, mesh, hulls, points); });
+  return open;
+}
+
+double ConstraintEnforcer::PullTogether(const std::vector<const PointConstraint*>& constraints,
+  const ContourMesh& mesh, const GuardedStep& step, PointList& points) const
+{
+  std::vector<Eigen::Vector3d> pulls;
+  PointList motion = PointList::Zero(points.rows(), 3);
+  for (const PointConstraint* constraint : constraints)
   {
-    throw Error(ErrorCode::UnreachablePoint,
-      NameOf(*open) +
-        " cannot be obeyed: the surface of one piece does not get there past the other points; "
-        "move or remove one of them, or give a further seed on the way");
+    const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraint->Point);
+    pulls.push_back(this->PullOf(*constraint, mesh, points, place));
+    const double radius = RadiusOfPull(mesh, points, place, pulls.back().norm());
+    TakeLonger(EvenedAt(mesh, points, place, 2 * radius), motion);
   }
-  return true;
+  points = step(this->Obstacles, points, motion);
+  motion.setZero();
+  for (std::size_t index = 0; index < constraints.size(); ++index)
+  {
+    const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraints[index]->Point);
+    TakeLonger(BulgeAt(mesh, points, place, pulls[index]), motion);
+  }
+  const PointList before = points;
+  points = step(this->Obstacles, points, motion);
+  return constraints.empty() ? 0 : (points - before).rowwise().norm().maxCoeff();
 }
 
 } // namespace FlipFree

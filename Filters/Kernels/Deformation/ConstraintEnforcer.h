@@ -61,6 +61,11 @@ private:
     bool withOutside);
   bool Pull(bool outsideOnly, const ContourMesh& mesh, const FaceHulls& hulls,
     const GuardedStep& step, const Monitor& monitor, PointList& points);
+  std::vector<const PointConstraint*> OpenOf(const std::vector<const PointConstraint*>& constraints,
+    const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points) const;
+  /// Returns how far a vertex has moved at most.
+  double PullTogether(const std::vector<const PointConstraint*>& constraints,
+    const ContourMesh& mesh, const GuardedStep& step, PointList& points) const;
   bool IsOpen(const PointConstraint& constraint, const ContourMesh& mesh, const FaceHulls& hulls,
     const PointList& points) const;
   Eigen::Vector3d PullOf(const PointConstraint& constraint, const ContourMesh& mesh,

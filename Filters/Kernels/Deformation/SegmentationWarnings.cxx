@@ -3,6 +3,7 @@
 #include "Deformation/PlausibilityCheck.h"
 #include "Deformation/StartMask.h"
 #include "Evidence/SurfaceConfidence.h"
+#include "Image/VoxelOffsets.h"
 #include "Intensity/RobustStatistics.h"
 #include "MessageText.h"
 
@@ -34,6 +35,9 @@ constexpr double GainedSilently = 0.1;
 // 39, 3.
 constexpr double DoubtfulMargin = 2.1;
 constexpr double DoubtfulVolume = 0.065;
+
+// Of the vertices, beside voxels without data. Padding that only touches an organ stays below.
+constexpr double EndsSilently = 0.02;
 
 // Between the tenth and the ninetieth percentile.
 double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& voxels)
@@ -174,6 +178,36 @@ std::vector<std::string> WarningsOfFilling(const BitMask& labels,
       "points where it encloses too much.");
   }
   return warnings;
+}
+
+std::string WarningOfNoData(const PointList& points, const BitMask& noData)
+{
+  if (!noData.HasGrid())
+  {
+    return {};
+  }
+  const ImageGeometry& geometry = noData.GetGeometry();
+  Eigen::Index count = 0;
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    const std::array<int, 3> voxel = NearestVoxel(geometry, points.row(vertex).transpose());
+    bool isBeside = false;
+    VisitSurroundings(voxel, geometry,
+      [&](std::size_t offset)
+      {
+        const std::array<int, 3> other = IndexOf(offset, geometry);
+        isBeside = isBeside || noData(other[0], other[1], other[2]);
+      });
+    count += isBeside ? 1 : 0;
+  }
+  const double fraction = static_cast<double>(count) / static_cast<double>(points.rows());
+  if (fraction <= EndsSilently)
+  {
+    return {};
+  }
+  return PercentOf(fraction) +
+    " of the surface lies where the image has no data (NaN), and goes no further; where the organ "
+    "does, interpolate those voxels.";
 }
 
 std::string WarningOfDoubt(double confidence, const std::vector<DoubtfulPart>& questions,

@@ -30,6 +30,10 @@ std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& 
 std::vector<std::string> WarningsOfFilling(const BitMask& labels,
   const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree);
 
+/// A message for a surface of which a part lies where the image has no data (NoData.h), with its
+/// remedy; empty for any other. `noData` may have no grid.
+std::string WarningOfNoData(const PointList& points, const BitMask& noData);
+
 /// A message for a result that is doubtful, with its remedy: its confidence is low, or there is a
 /// question (PartQuestions.h) whose margin is small and whose part matters in an organ of this
 /// volume, in mm3. The first such question is the remedy. Empty for any other result; without

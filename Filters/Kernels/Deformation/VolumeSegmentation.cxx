@@ -289,9 +289,13 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->Given);
-  if (!this->MixedSeed.empty())
+  for (const std::string& warning :
+    { this->MixedSeed, WarningOfNoData(organ.Points, this->Smooth->GetNoData()) })
   {
-    result.Warnings.push_back(this->MixedSeed);
+    if (!warning.empty())
+    {
+      result.Warnings.push_back(warning);
+    }
   }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
   result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);

@@ -67,13 +67,13 @@ public:
 
   bool Execute(std::array<BitMask, 2>& changed)
   {
-    const RobustStatistics ofSeed =
-      StatisticsInBall(this->Known.Image, this->Grid.Voxels, this->Known.Seed);
+    this->OfSeed = StatisticsInBall(this->Known.Image, this->Grid.Voxels, this->Known.Seed);
+    this->FindOrgan();
     for (const PointCorrection& correction : this->Corrections)
     {
       if (correction.Away > 0)
       {
-        if (!this->ProposeSurroundings(correction, ofSeed) || !this->ProposePart(correction))
+        if (!this->ProposeSurroundings(correction) || !this->ProposePart(correction))
         {
           return false;
         }
@@ -93,32 +93,52 @@ private:
     return (this->IsIn[block] != 0) == correction.IsInside;
   }
 
-  // Of what the mask holds around the seed, but for what is as near to the point as its side.
-  RobustStatistics StatisticsOfOrgan(const PointCorrection& correction,
-    const RobustStatistics& ofSeed) const
+  // Finds what the mask holds around the seed.
+  void FindOrgan()
   {
     const ImageGeometry& voxels = this->Grid.Voxels;
     const SeedSphere& seed = this->Known.Seed;
-    std::vector<float> values;
     for (const std::size_t voxel :
       VoxelsInSphere(voxels, { seed.Center, OrganInSeedRadii * seed.Radius }))
     {
       const std::array<int, 3> index = IndexOf(voxel, voxels);
-      const Eigen::Vector3d center =
-        voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
-      if (this->Known.Before(index[0], index[1], index[2]) &&
-        (center - correction.Point).norm() > correction.Away)
+      if (this->Known.Before(index[0], index[1], index[2]))
       {
-        values.push_back(this->Known.Image.Row(index[1], index[2])[index[0]]);
+        this->Organ.push_back({ voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2])),
+          this->Known.Image.Row(index[1], index[2])[index[0]] });
       }
     }
-    return values.size() < LeastOrganVoxels ? ofSeed : RobustStatisticsOf(values);
+    this->OfOrgan = this->StatisticsOfOrgan([](const OrganVoxel&) { return true; });
   }
 
-  bool ProposeSurroundings(const PointCorrection& correction, const RobustStatistics& ofSeed)
+  template <typename Counts>
+  RobustStatistics StatisticsOfOrgan(const Counts& counts) const
+  {
+    std::vector<float> values;
+    for (const OrganVoxel& voxel : this->Organ)
+    {
+      if (counts(voxel))
+      {
+        values.push_back(voxel.Value);
+      }
+    }
+    return values.size() < LeastOrganVoxels ? this->OfSeed : RobustStatisticsOf(values);
+  }
+
+  // But for what is as near to an outside point as its side: that is no organ. An inside point is
+  // nearer to all of it.
+  RobustStatistics StatisticsOfOrganBeside(const PointCorrection& correction) const
+  {
+    return correction.IsInside
+      ? this->OfOrgan
+      : this->StatisticsOfOrgan([&](const OrganVoxel& voxel)
+          { return (voxel.Center - correction.Point).norm() > correction.Away; });
+  }
+
+  bool ProposeSurroundings(const PointCorrection& correction)
   {
     const PointWorth worth(this->Known.Image, this->Grid.Voxels, correction, this->Similarity,
-      { ofSeed, this->StatisticsOfOrgan(correction, ofSeed) });
+      { this->OfSeed, this->StatisticsOfOrganBeside(correction) });
     std::vector<std::size_t> gaining;
     for (const std::size_t block :
       VoxelsAround(this->Grid.Blocks, { correction.Point, correction.Domain }))
@@ -224,12 +244,17 @@ private:
     {
       return false;
     }
-    std::vector<std::size_t> part = this->Missed->PartAround(own, {}, OnTopOfMissedPart);
-    if (!this->OpenMissed(part))
+    const std::vector<std::size_t> part = this->Missed->PartAround(own, {}, OnTopOfMissedPart);
+    if (part != this->MissedPart)
     {
-      return false;
+      this->OpenedPart = part;
+      if (!this->OpenMissed(this->OpenedPart))
+      {
+        return false;
+      }
+      this->MissedPart = part;
     }
-    this->Propose(std::move(part), *this->Missed, correction);
+    this->Propose(this->OpenedPart, *this->Missed, correction);
     return true;
   }
 
@@ -449,6 +474,20 @@ private:
   std::vector<bool> IsCertain;         // that it does
   std::optional<NestedParts> Leaks;
   std::optional<NestedParts> Missed;
+
+  // The last missed part, which other points of a stroke are likely to mean, too, and what is left
+  // of it once opened.
+  std::vector<std::size_t> MissedPart;
+  std::vector<std::size_t> OpenedPart;
+
+  struct OrganVoxel
+  {
+    Eigen::Vector3d Center;
+    float Value;
+  };
+  std::vector<OrganVoxel> Organ; // in the mask around the seed
+  RobustStatistics OfOrgan;
+  RobustStatistics OfSeed;
 };
 
 } // namespace

@@ -117,6 +117,6 @@ def _print(found: LabelSurfaces) -> None:
         counts = f"{one.euler_number:6d}  {one.triangles:9d}  {one.wrong_voxels:12d}"
         print(f"{one.label:10d}  {one.name:<24}  {one.volume:11.3f}  {counts}")
     print(
-        f"{found.wrong_voxels} voxels on the wrong side, {found.greatest_distance:.2f} mm at most "
-        "from where voxels meet"
+        f"{found.wrong_voxels} voxels on the wrong side; vertices lie at most "
+        f"{found.greatest_distance:.2f} mm from the corners where voxels of different labels meet"
     )
