@@ -121,6 +121,7 @@ void PlayUser(CorrectionWindow& window, const Scene::Vector& seed)
   tell("looked");
   Press(window, 'o');
   MoveTo(window, 0, place);
+  window.GetInteractor()->InvokeEvent(vtkCommand::TimerEvent); // the mouse has moved until then
   window.GetInteractor()->InvokeEvent(vtkCommand::TimerEvent);
   std::cout << window.GetPreview() << "\n";
   ClickOn(window, 0, place);

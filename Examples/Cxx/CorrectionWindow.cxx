@@ -14,7 +14,7 @@ namespace
 
 constexpr int ClickPixels = 3;                    // a mouse that moves farther than this drags
 constexpr double StrokeStep = 3;                  // mm between the points of a stroke
-constexpr int Milliseconds = 30;                  // between previews
+constexpr int Milliseconds = 30;                  // of a pause of the mouse
 constexpr double Violet[3] = { 0.95, 0.45, 1.0 }; // of the question that keys answer
 constexpr double Dim[3] = { 0.75, 0.5, 0.8 };     // of others
 
@@ -149,10 +149,11 @@ void CorrectionWindow::ShowWords()
   this->Views.SetWords(text);
 }
 
-/// Of a click where the mouse is now; the places on its way are not of interest.
+/// Of a click where the mouse has paused; on its way there, it would have to wait for others.
 void CorrectionWindow::ShowPreview()
 {
-  if (!this->IsPreviewStale || this->IsHeld || !this->Now->IsOfParts())
+  const bool isMoving = std::exchange(this->HasMoved, false);
+  if (!this->IsPreviewStale || isMoving || this->IsHeld || !this->Now->IsOfParts())
   {
     return;
   }
@@ -238,6 +239,7 @@ void CorrectionWindow::Move()
   if (this->Stroke.empty())
   {
     this->IsPreviewStale = true;
+    this->HasMoved = true;
     this->Style->OnMouseMove();
     return;
   }

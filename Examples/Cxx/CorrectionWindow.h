@@ -62,6 +62,7 @@ private:
   int PressedSlice = -1;
   bool IsHeld = false;               // the button
   bool IsPreviewStale = false;       // since the mouse has moved, or the organ changed
+  bool HasMoved = false;             // the mouse, since the timer rang
   std::vector<Scene::Vector> Stroke; // that is being painted
 };
 

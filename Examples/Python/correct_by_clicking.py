@@ -26,7 +26,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 
 CLICK_PIXELS = 3  # a mouse that moves farther than this drags
 STROKE_STEP = 3  # mm between the points of a stroke
-MILLISECONDS = 30  # between previews
+MILLISECONDS = 30  # of a pause of the mouse
 VIOLET, DIM = (0.95, 0.45, 1.0), (0.75, 0.5, 0.8)  # of the question that keys answer, of others
 COLORS = {OUTSIDE: scene.RED, INSIDE: (0.3, 0.8, 0.35), BOUNDARY: scene.BLUE}
 # What a click means, by the key that says so; l only moves the slices.
@@ -46,6 +46,7 @@ class CorrectionWindow:
         self.words = ""  # about the last step
         self.preview = ""  # of a click where the mouse is
         self.is_preview_stale = False  # since the mouse has moved, or the organ changed
+        self.has_moved = False  # the mouse, since the timer rang
         self.is_held = False  # the button
         self.pressed = (0, 0)
         self.stroke = []  # that is being painted
@@ -92,6 +93,7 @@ class CorrectionWindow:
         """Paints, or turns the view."""
         if not self.stroke:
             self.is_preview_stale = True
+            self.has_moved = True
             self.style.OnMouseMove()
             return
         mouse = self.interactor.GetEventPosition()
@@ -191,8 +193,9 @@ class CorrectionWindow:
         self.views.window.Render()
 
     def show_preview(self):
-        """Of a click where the mouse is now; the places on its way are not of interest."""
-        if not self.is_preview_stale or self.is_held or self.meaning not in PREVIEW:
+        """Of a click where the mouse has paused; on its way, it would have to wait for others."""
+        is_moving, self.has_moved = self.has_moved, False
+        if not self.is_preview_stale or is_moving or self.is_held or self.meaning not in PREVIEW:
             return
         self.is_preview_stale = False
         mouse = self.interactor.GetEventPosition()

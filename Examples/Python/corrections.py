@@ -31,7 +31,7 @@ class Corrections:
         self._segment()
 
     def do(self, meaning, places):
-        """Another step; one that cannot be obeyed is none: the result stays, and the error goes on."""
+        """Another step; one that cannot be obeyed is none: the result stays, the error goes on."""
         self._add(meaning, places)
         self.undone.clear()
 

@@ -102,6 +102,8 @@ def main():
     press(window, "o")
     move(window, [on_screen(axial, liver), on_screen(axial, place)])
     window.interactor.InvokeEvent("TimerEvent")
+    assert not window.preview, "nothing is computed while the mouse moves"
+    window.interactor.InvokeEvent("TimerEvent")
     taken = re.search(r"a click here takes ([\d.]+) ml", window.views.words.GetInput())
     assert taken, window.views.words.GetInput()
     (_, part), _ = window.views.shown["mask"]
@@ -113,6 +115,7 @@ def main():
     assert found[0] == "outside the organ" and numpy.allclose(found[1], [place], atol=1), found
     assert label_at(window, place) == 0, "the surface obeys"
     assert not window.views.shown["mask"]
+    window.interactor.InvokeEvent("TimerEvent")
     window.interactor.InvokeEvent("TimerEvent")
     assert "takes nothing" in window.views.words.GetInput(), window.views.words.GetInput()
     corrected = points(window)
