@@ -12,14 +12,13 @@
 #include "Growth.h"
 #include "Inputs.h"
 #include "Scene.h"
+#include "ThreeViews.h"
 
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkCoordinate.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMath.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkSphereRepresentation.h>
 #include <vtkSphereWidget2.h>
@@ -47,7 +46,7 @@ public:
   void Step();
 
   vtkRenderWindowInteractor* GetInteractor() { return this->Interactor; }
-  vtkRenderer* GetSpace() { return this->Space; }
+  vtkRenderer* GetSpace() { return this->Views.GetSpace(); }
   vtkSphereRepresentation* GetSphere() { return this->Sphere; }
   vtkPolyData* GetSurface() { return this->Surface; }
   bool IsGrowing() const { return this->Growing && !this->Growing->IsAtRest(); }
@@ -59,46 +58,25 @@ private:
   vtkSmartPointer<vtkImageData> Image;
   // All views show this one object; a new iterate gets to them by being copied into it.
   vtkNew<vtkPolyData> Surface;
-  vtkNew<vtkRenderWindow> Window;
+  ThreeViews Views;
   vtkNew<vtkRenderWindowInteractor> Interactor;
-  vtkSmartPointer<vtkRenderer> Space;
-  vtkSmartPointer<vtkRenderer> Slices[2];
-  vtkSmartPointer<vtkTextActor> Words;
   vtkNew<vtkSphereRepresentation> Sphere;
   vtkNew<vtkSphereWidget2> Widget;
-  std::vector<std::pair<vtkRenderer*, vtkSmartPointer<vtkActor>>> Shown; // what follows the sphere
   std::unique_ptr<Growth> Growing;
 };
 
-const Scene::Plane* const Planes[2] = { &Scene::Axial, &Scene::Coronal };
-
 LiveWindow::LiveWindow(const Inputs& inputs)
   : Image(inputs.Image)
+  , Views(inputs.Image, this->Surface, 0.66, 1.5)
 {
-  const double* bounds = this->Image->GetBounds();
-  this->Space = Scene::SpaceView({ Scene::SurfaceActor(this->Surface) }, bounds, "", 1.5);
-  this->Words = Scene::TextActor("drag the sphere into an organ", 15);
-  this->Space->AddViewProp(this->Words);
-  this->Space->SetViewport(0, 0, 0.66, 1);
-  this->Window->AddRenderer(this->Space);
-  for (int view = 0; view < 2; ++view)
-  {
-    this->Slices[view] = Scene::SliceView({}, bounds, *Planes[view], "", 1.05);
-    this->Slices[view]->SetViewport(0.66, view == 0 ? 0.5 : 0, 1, view == 0 ? 1 : 0.5);
-    this->Slices[view]->InteractiveOff();
-    this->Window->AddRenderer(this->Slices[view]);
-  }
-  this->Window->SetWindowName("FlipFree");
-  this->Window->SetMultiSamples(0);
-  this->Window->SetSize(1200, 800);
-
-  this->Interactor->SetRenderWindow(this->Window);
+  this->Views.SetWords("drag the sphere into an organ");
+  this->Interactor->SetRenderWindow(this->Views.GetWindow());
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   this->Interactor->SetInteractorStyle(style);
   this->Interactor->Initialize();
   this->PlaceSphere(inputs);
   this->ShowSlices();
-  this->Window->Render();
+  this->Views.GetWindow()->Render();
 
   this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &LiveWindow::Stop);
   this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &LiveWindow::Begin);
@@ -123,7 +101,7 @@ void LiveWindow::PlaceSphere(const Inputs& inputs)
   this->Sphere->HandleTextOff();
   this->Sphere->RadialLineOff();
   this->Widget->SetInteractor(this->Interactor);
-  this->Widget->SetDefaultRenderer(this->Space);
+  this->Widget->SetDefaultRenderer(this->Views.GetSpace());
   this->Widget->SetRepresentation(this->Sphere);
   this->Widget->On();
 }
@@ -158,38 +136,21 @@ void LiveWindow::Step()
     words.precision(2);
     words << this->Surface->GetNumberOfPoints() << " vertices, on average "
           << this->Growing->MeanDistance << " mm from their targets";
-    this->Words->SetInput(words.str().c_str());
+    this->Views.SetWords(words.str());
   }
   else
   {
     this->Stop();
-    this->Words->SetInput("there is no organ to be found from here");
+    this->Views.SetWords("there is no organ to be found from here");
   }
-  this->Window->Render();
+  this->Views.GetWindow()->Render();
 }
 
 void LiveWindow::ShowSlices()
 {
-  for (const auto& shown : this->Shown)
-  {
-    shown.first->RemoveActor(shown.second);
-  }
-  this->Shown.clear();
   Scene::Vector center;
   this->Sphere->GetCenter(center.data());
-  for (int view = 0; view < 2; ++view)
-  {
-    const auto picture = Scene::SliceActor(this->Image, center, *Planes[view], 200);
-    this->Shown.emplace_back(this->Slices[view], picture);
-    this->Shown.emplace_back(this->Space, picture);
-    this->Shown.emplace_back(this->Slices[view],
-      Scene::ContourActor(this->Surface, center, *Planes[view], Scene::Yellow, 2));
-  }
-  for (const auto& shown : this->Shown)
-  {
-    shown.first->AddActor(shown.second);
-    shown.first->ResetCameraClippingRange();
-  }
+  this->Views.ShowSlices(center);
 }
 
 /// How far the sphere is from a point.

@@ -1,7 +1,9 @@
 #include "Scene.h"
 
 #include <vtkCamera.h>
+#include <vtkClipPolyData.h>
 #include <vtkCutter.h>
+#include <vtkImageConstantPad.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLogger.h>
 #include <vtkLookupTable.h>
@@ -77,6 +79,22 @@ vtkSmartPointer<vtkRenderer> MakeView(const Actors& actors, const std::string& c
   return renderer;
 }
 
+/// An image's values in the slice through a point, over its bounds.
+vtkSmartPointer<vtkProbeFilter> Sampled(vtkImageData* image, const Vector& center,
+  const Plane& plane, int samples)
+{
+  const double* bounds = image->GetBounds();
+  vtkNew<vtkPlaneSource> grid;
+  grid->SetOrigin(CornerOf(bounds, center, plane, false, false).data());
+  grid->SetPoint1(CornerOf(bounds, center, plane, true, false).data());
+  grid->SetPoint2(CornerOf(bounds, center, plane, false, true).data());
+  grid->SetResolution(samples, samples);
+  auto probe = vtkSmartPointer<vtkProbeFilter>::New(); // knows direction matrices
+  probe->SetInputConnection(grid->GetOutputPort());
+  probe->SetSourceData(image);
+  return probe;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[3])
@@ -105,26 +123,48 @@ vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[
 vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& center, const Plane& plane,
   int samples)
 {
-  const double* bounds = image->GetBounds();
-  vtkNew<vtkPlaneSource> grid;
-  grid->SetOrigin(CornerOf(bounds, center, plane, false, false).data());
-  grid->SetPoint1(CornerOf(bounds, center, plane, true, false).data());
-  grid->SetPoint2(CornerOf(bounds, center, plane, false, true).data());
-  grid->SetResolution(samples, samples);
-  vtkNew<vtkProbeFilter> probe; // knows direction matrices
-  probe->SetInputConnection(grid->GetOutputPort());
-  probe->SetSourceData(image);
   vtkNew<vtkLookupTable> gray;
   gray->SetSaturationRange(0, 0);
   gray->SetValueRange(0, 1);
   gray->SetRampToLinear();
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(probe->GetOutputPort());
+  mapper->SetInputConnection(Sampled(image, center, plane, samples)->GetOutputPort());
   mapper->SetLookupTable(gray);
   mapper->SetScalarRange(-150, 250);
   mapper->InterpolateScalarsBeforeMappingOn();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> MaskActor(vtkImageData* mask, const Vector& center, const Plane& plane,
+  const double color[3])
+{
+  int extent[6];
+  mask->GetExtent(extent);
+  for (int side = 0; side < 6; ++side)
+  {
+    extent[side] += side % 2 == 0 ? -1 : 1; // a rim around a single voxel, too
+  }
+  vtkNew<vtkImageConstantPad> rim;
+  rim->SetInputData(mask);
+  rim->SetOutputWholeExtent(extent);
+  rim->Update();
+  vtkImageData* const padded = rim->GetOutput();
+  padded->SetDirectionMatrix(mask->GetDirectionMatrix()); // which VTK 9.1 drops
+  vtkNew<vtkClipPolyData> part;
+  part->SetInputConnection(Sampled(padded, center, plane, 150)->GetOutputPort());
+  part->SetValue(0.5);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(part->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  const Vector normal = NormalOf(plane);
+  actor->SetPosition(normal[0] / 2, normal[1] / 2, normal[2] / 2); // in front of the slice
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetOpacity(0.5);
   actor->GetProperty()->LightingOff();
   return actor;
 }

@@ -47,6 +47,10 @@ vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[
 vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& center, const Plane& plane,
   int samples = 500);
 
+/// The voxels of a mask in the slice through a point; the image shows through.
+vtkSmartPointer<vtkActor> MaskActor(vtkImageData* mask, const Vector& center, const Plane& plane,
+  const double color[3]);
+
 /// Where a surface crosses the slice through a point.
 vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& center,
   const Plane& plane, const double color[3] = Yellow, double width = 4);

@@ -12,6 +12,7 @@ import flipfree
 import inputs
 import scene
 from growth import Growth
+from three_views import ThreeViews
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkInteractionWidgets import vtkSphereRepresentation, vtkSphereWidget2
@@ -28,24 +29,16 @@ class LiveWindow:
         self.growth = None
         # All views show this one object; a new iterate gets to them by being copied into it.
         self.surface = vtkPolyData()
-        self.slices = []
-
-        self.space = scene.space_view([scene.surface_actor(self.surface, edges=True)])
-        self.words = scene.text_actor("drag the sphere into an organ")
-        self.space.AddViewProp(self.words)
-        self.planes = {scene.AXIAL: scene.slice_view([], image, scene.AXIAL, margin=1.05),
-                       scene.CORONAL: scene.slice_view([], image, scene.CORONAL, margin=1.05)}
-        self.window = scene.open_window(self.space, self.planes.values(), 0.66)
+        self.views = ThreeViews(image, self.surface, 0.66, 1.5)
+        self.say("drag the sphere into an organ")
 
         self.interactor = vtkRenderWindowInteractor()
-        self.interactor.SetRenderWindow(self.window)
+        self.interactor.SetRenderWindow(self.views.window)
         self.interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
         self.interactor.Initialize()
         self.widget = self._widget(seed, radius)
         self.show_slices()
-        self.space.ResetCamera(image.GetBounds())
-        self.space.GetActiveCamera().Zoom(1.5)
-        self.window.Render()
+        self.views.window.Render()
 
         self.widget.AddObserver("StartInteractionEvent", lambda *_: self.stop())
         self.widget.AddObserver("EndInteractionEvent", lambda *_: self.begin())
@@ -65,7 +58,7 @@ class LiveWindow:
         sphere.RadialLineOff()
         widget = vtkSphereWidget2()
         widget.SetInteractor(self.interactor)
-        widget.SetDefaultRenderer(self.space)
+        widget.SetDefaultRenderer(self.views.space)
         widget.SetRepresentation(sphere)
         widget.On()
         return widget
@@ -100,25 +93,15 @@ class LiveWindow:
             self.surface.ShallowCopy(self.growth.surface)
             self.say(f"{self.surface.GetNumberOfPoints()} vertices, on average "
                      f"{done.mean_distance:.1f} mm from their targets")
-        self.window.Render()
+        self.views.window.Render()
 
     def say(self, words):
         """Below the view into space."""
-        self.words.SetInput(words)
+        self.views.words.SetInput(words)
 
     def show_slices(self):
         """Moves all slices to the sphere's center."""
-        for renderer, actor in self.slices:
-            renderer.RemoveActor(actor)
-        self.slices = []
-        center, _ = self.seed()
-        for plane, renderer in self.planes.items():
-            picture = scene.slice_actor(self.image, center, plane, samples=200)
-            contour = scene.contour_actor(self.surface, center, plane, width=1)
-            for view, actor in ((renderer, picture), (self.space, picture), (renderer, contour)):
-                view.AddActor(actor)
-                self.slices.append((view, actor))
-            renderer.ResetCameraClippingRange()
+        self.views.show_slices(self.seed()[0])
 
     def run(self):
         """Until the window is closed."""
@@ -131,17 +114,13 @@ class LiveWindow:
         while self.growth is not None and not self.growth.is_at_rest():
             self.step()
 
-    def save(self, picture):
-        """What the window shows, as PNG."""
-        scene.save_window(self.window, picture)
-
 
 if __name__ == "__main__":
     arguments = inputs.parse(__doc__)
     live = LiveWindow(*inputs.image_and_seed(arguments))
     if arguments.picture:
         live.grow()
-        live.save(arguments.picture)
-        print(live.words.GetInput())
+        live.views.save(arguments.picture)
+        print(live.views.words.GetInput())
     else:
         live.run()

@@ -12,6 +12,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonCore import vtkLogger, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import (
+    vtkClipPolyData,
     vtkCutter,
     vtkPolyDataNormals,
     vtkProbeFilter,
@@ -19,7 +20,7 @@ from vtkmodules.vtkFiltersCore import (
     vtkTriangleFilter,
 )
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkImagingCore import vtkImageConstantPad, vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -89,6 +90,48 @@ def defect_actor(surface, color, mark):
 
 def slice_actor(image, center, plane, window=(-150, 250), samples=500):
     """A slice through a point in gray values, over the whole image, by default the abdomen's."""
+    probe = _sampled(image, center, plane, samples)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(probe.GetOutputPort())
+    mapper.SetScalarRange(window)
+    mapper.InterpolateScalarsBeforeMappingOn()
+    gray = mapper.GetLookupTable()
+    gray.SetSaturationRange(0, 0)
+    gray.SetValueRange(0, 1)
+    gray.SetRampToLinear()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def mask_actor(mask, center, plane, color):
+    """The voxels of a mask in the slice through a point; the image shows through."""
+    rim = vtkImageConstantPad()  # around a single voxel, too
+    rim.SetInputData(mask)
+    rim.SetOutputWholeExtent([end + outward for end, outward in
+                              zip(mask.GetExtent(), (-1, 1) * 3)])
+    rim.Update()
+    padded = rim.GetOutput()
+    padded.SetDirectionMatrix(mask.GetDirectionMatrix())  # which VTK 9.1 drops
+    probe = _sampled(padded, center, plane, samples=150)
+    part = vtkClipPolyData()
+    part.SetInputConnection(probe.GetOutputPort())
+    part.SetValue(0.5)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(part.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.SetPosition([x / 2 for x in _cross(*plane)])  # in front of the slice
+    actor.GetProperty().SetColor(color)
+    actor.GetProperty().SetOpacity(0.5)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def _sampled(image, center, plane, samples):
+    """An image's values in the slice through a point, over its bounds."""
     right, up = plane
     bounds = image.GetBounds()
     corners = []
@@ -107,18 +150,7 @@ def slice_actor(image, center, plane, window=(-150, 250), samples=500):
     probe = vtkProbeFilter()  # knows direction matrices
     probe.SetInputConnection(grid.GetOutputPort())
     probe.SetSourceData(image)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(probe.GetOutputPort())
-    mapper.SetScalarRange(window)
-    mapper.InterpolateScalarsBeforeMappingOn()
-    gray = mapper.GetLookupTable()
-    gray.SetSaturationRange(0, 0)
-    gray.SetValueRange(0, 1)
-    gray.SetRampToLinear()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().LightingOff()
-    return actor
+    return probe
 
 
 def contour_actor(surface, center, plane, color=YELLOW, width=2.2):

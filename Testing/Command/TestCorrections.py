@@ -65,6 +65,49 @@ class TestCorrections(command.CommandTest):
         seeds = self.file("seeds.csv", "seed, 62, 32, 32, 4\n\n")
         self.assertNotEqual(self.surface("f.stl", "--points", seeds), self.surface("free.stl"))
 
+    def test_strokes(self):
+        """Points of one kind, whatever their labels, and each place once."""
+        stroke = [[62, 32, 30 + z] for z in range(4)]
+        inside = self.file("stroke.csv", "X,Y,Z\n" + "".join("{},{},{}\n".format(*place) for place in [*stroke, stroke[0]]))
+        curve = {"markups": [{"type": "Curve", "coordinateSystem": "RAS", "coordinateUnits": "mm", "controlPoints": [
+            {"label": f"inside-{number}", "position": [-32, -54 - 5e-4 * number, 32]} for number in (0, 1)]}]}
+        outside = self.file("curve.mrk.json", json.dumps(curve))
+        saved = self.result("a.csv")
+        session = self.result("a.json")
+        drawn = self.surface("a.stl", "--inside-stroke", inside, "--outside-stroke", outside, "--boundary", 32, 32, 60,
+                             "--save-points", saved, "--save-session", session)
+        with open(saved, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "kind,x,y,z,radius\ninside,62,32,30,\ninside,62,32,31,\ninside,62,32,32,\n"
+                                          "inside,62,32,33,\noutside,32,54,32,\nboundary,32,32,60,\n")
+        self.assertEqual(self.surface("b.stl", "--points", saved), drawn)
+        self.assert_succeeds(command.run("segment", self.volume, "--session", session, "-q", "-o", self.result("c.stl")))
+        with open(self.result("c.stl"), "rb") as file:
+            self.assertEqual(file.read(), drawn)
+        more = self.file("more.csv", "60,32,32\n")
+        self.surface("d.stl", "--inside-stroke", inside, "--inside-stroke", more, "--save-points", saved)
+        with open(saved, encoding="utf-8") as file:
+            self.assertEqual(len(file.readlines()), 6)
+
+    def test_strokes_that_are_wrong(self):
+        out = ("-o", self.result("bad.stl"))
+        stroke = self.file("good.csv", "62,32,32\n")
+        for status, arguments, patterns in (
+                (2, ("--inside-stroke", "stroke.txt"), ("--inside-stroke", ".csv or .mrk.json")),
+                (2, ("--outside-stroke",), ("--outside-stroke",)),
+                (1, ("--outside-stroke", self.result("none.csv")), ("There is no file .*none.csv",)),
+                (1, ("--inside-stroke", self.file("no.csv", "x,y,z\n")), ("no.csv' holds no points",)),
+                (1, ("--inside-stroke", self.file("kinds.csv", "kind,x,y,z\ninside,1,2,3\n")),
+                 ("kinds.csv', line 1: cells separated by commas: 4; needed are x, y, z",)),
+                (1, ("--inside-stroke", self.file("order.csv", "x,z,y\n1,2,3\n")), ("the columns are x, y, z, in this order",)),
+                (1, ("--inside-stroke", self.file("bad.mrk.json", "[]")), ("the columns x, y and z",)),
+                (1, ("--inside-stroke", stroke, "--outside-stroke", stroke), ("are in the same place",)),
+                (2, ("--inside-stroke", stroke, "--save-points", stroke), ("is an input",)),
+                (2, ("--inside-stroke", stroke, "--session", "a.json"), ("--session",))):
+            with self.subTest(arguments=arguments):
+                self.assert_refused(self.segment(*out, *arguments), status, *patterns)
+        with open(stroke, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "62,32,32\n")
+
     def test_points_that_contradict_each_other(self):
         out = ("-o", self.result("bad.stl"))
         self.assert_refused(self.segment("--inside", 32, 54, 32, "--outside", 32, 54, 32, *out), 1,

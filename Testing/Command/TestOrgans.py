@@ -80,6 +80,11 @@ class TestOrgans(command.CommandTest):
         free = spleen_of(*liver, *spleen)
         self.assertNotEqual(spleen_of(*liver, *spleen, *point), free)
         self.assertEqual(spleen_of(*liver, *point, *spleen), free)
+        stroke = os.path.join(self.inputs, "stroke.csv")
+        with open(stroke, "w", encoding="utf-8") as file:
+            file.write("{},{},{}\n".format(*point[1:]))
+        self.assertEqual(spleen_of(*liver, *spleen, "--outside-stroke", stroke), spleen_of(*liver, *spleen, *point))
+        self.assertEqual(spleen_of(*liver, "--outside-stroke", stroke, *spleen), free)
         process = self.segment(*spleen, *liver, "--inside", x, y, z, "-o", self.result("a.stl"))
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(process.stderr, "of 'liver' lies in the seed of 'spleen'")
@@ -117,6 +122,7 @@ class TestOrgans(command.CommandTest):
                 (2, (*liver, *liver, *out), "would give the same file name"),
                 (2, (*liver, "--organ", "", 1, 2, 3, 4, *out), "a name is empty"),
                 (2, ("--inside", 1, 2, 3, *liver, *out), "comes before the first --organ"),
+                (1, (*liver, "--inside-stroke", "no.csv", *out), "There is no file 'no.csv'"),
                 (2, ("--organ", "liver", 1, 2, "x", 4, *out), "--organ liver: 'x' is not a number"),
                 (2, ("--organ", "liver", 1, "nan", 3, 4, *out), "--organ liver: a coordinate is not a finite number"),
                 *((2, ("--organ", "liver", 1, 2, 3, radius, *out),

@@ -124,6 +124,20 @@ class TestQuestions(command.CommandTest):
             self.assertLess(volume, 120)
             self.assertEqual(self.surface_bytes(name + ".stl"), self.surface_bytes("free.stl"))
 
+    def test_nothing_to_ask(self):
+        labels = self.result("labels.nii.gz")
+        self.assert_succeeds(command.run(*self.arguments(self.cut, "--labels", labels)))
+        for arguments, why in (((*self.arguments(self.cut), "--no-carving"), "questions come with --carving"),
+                               (("segment", self.cut, "--start-labels", labels, "--resolution", 8),
+                                "a start from labels has no questions"),
+                               (("segment", self.volume, *self.seed, "--resolution", 8), "no part of the result is in doubt")):
+            _, shown = self.at_a_terminal([], *arguments, "--ask", "-o", self.result("a.stl"))
+            self.assertIn(f"--ask: there is nothing to ask; {why}.\n", shown)
+
+    def test_help_names_the_tables_of_several(self):
+        text = " ".join(command.run("segment", "--help").stdout.split())
+        self.assertIn("Of several organs, each has a table with its name", text)
+
     def test_refusals(self):
         out = ("-o", self.result("a.stl"))
         self.assert_refused(command.run(*self.arguments(self.cut, "--ask", *out)), 2,

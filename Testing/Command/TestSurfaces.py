@@ -128,6 +128,9 @@ class TestSurfaces(command.CommandTest):
         self.assert_fails(command.run("surfaces", self.labels, "-o", self.labels), "cannot be created")
         write_nifti(self.labels, bytes(len(three_labels())))
         self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder), "has no labels")
+        self.assertEqual(os.listdir(self.results), [], "nothing is left of a folder that was made in vain")
+        os.mkdir(self.folder)
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder), "has no labels")
         self.assertEqual(self.files(), [])
 
 

@@ -21,7 +21,7 @@ def on_screen(window, point):
     place = vtkCoordinate()
     place.SetCoordinateSystemToWorld()
     place.SetValue(point)
-    return place.GetComputedDisplayValue(window.space)
+    return place.GetComputedDisplayValue(window.views.space)
 
 
 def drag(window, start, end, steps=5):
@@ -51,8 +51,8 @@ def main():
     window = live_window.LiveWindow(source.GetOutput(), liver, radius)
     assert window.growth is None, "nothing grows before the sphere has been let go"
     # Smaller than users have it: without a graphics card, most of the time goes into pixels.
-    window.window.SetSize(600, 400)
-    window.window.Render()
+    window.views.window.SetSize(600, 400)
+    window.views.window.Render()
 
     # Out of the organ and back; the mouse moves it in the plane of the screen.
     start = on_screen(window, liver)
@@ -73,11 +73,11 @@ def main():
     assert rings > 10, f"the surface evolves while one watches, not in {rings} iterations"
     grown = window.surface.GetLength() / first
     assert grown > 1.3, f"the surface grows, not by {grown}"
-    for _, contour in window.slices[2::3]:
+    for _, contour in window.views.shown["slices"][2::3]:
         lines = contour.GetMapper().GetInput()
         assert lines.GetNumberOfLines() > 0 and lines.GetNumberOfPolys() == 0, "slices show contours, no areas"
     os.makedirs(os.path.dirname(PICTURE), exist_ok=True)
-    window.save(PICTURE)
+    window.views.save(PICTURE)
 
     # What one has watched is what the whole method gives from there.
     labels = flipfree.vtkSurfaceToLabelMap()
@@ -91,8 +91,8 @@ def main():
     # A sphere outside the image is told in the window, and one can go on.
     drag(window, on_screen(window, seed), (2, 2))
     wait(window)
-    assert "No " in window.words.GetInput() or "outside" in window.words.GetInput(), \
-        window.words.GetInput()
+    assert "No " in window.views.words.GetInput() or "outside" in window.views.words.GetInput(), \
+        window.views.words.GetInput()
     assert window.surface.GetNumberOfPoints() == 0
     print("as it should be")
 

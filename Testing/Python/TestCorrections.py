@@ -25,6 +25,20 @@ class Corrections(unittest.TestCase):
         self.assertTrue(numpy.array_equal(at_once.points, both.points))
         self.assertTrue(numpy.array_equal(at_once.labels, both.labels))
 
+    def test_a_stroke_is_an_array_of_points(self):
+        stroke = numpy.linspace(self.outside, (66, 83, 167), 20)
+        drawn = liver().corrected(outside=stroke)
+        self.assertEqual(len(drawn.constraints), 20)
+        listed = liver().corrected(outside=stroke[::-1].tolist())
+        self.assertTrue(numpy.array_equal(drawn.points, listed.points))
+        for place in stroke:
+            i, j, k = (round(x / s) for x, s in zip(place, (1.5, 1.5, 3)))
+            self.assertEqual(drawn.labels[k, j, i], 0)
+        with self.assertRaisesRegex(TypeError, r"^outside: a list of points is needed"):
+            liver().corrected(outside=stroke[0])
+        with self.assertRaisesRegex(ValueError, "^outside: 3 numbers are needed, not 2"):
+            liver().corrected(outside=stroke[:, :2])
+
     def test_label_maps_obey(self):
         corrected = liver().corrected(outside=[self.outside], inside=[self.inside], boundary=[(99, 40, 167)])
         for place, expected in ((self.outside, 0), (self.inside, 1)):

@@ -141,8 +141,10 @@ class Work(unittest.TestCase):
                           [vertices_of(folder / row["File"]).tolist() for row in rows])
         self.assertEqual(made["ours"], made["theirs"])
         for arguments in (("--exact", "--distance", 0.7), ("--distance", 3), ("--label", 77), ("--names", "nowhere.csv")):
-            said = [run("surfaces", self.folder / "abdomen-truth.nii.gz", "-o", self.folder, *arguments, program=program)
+            vain = self.folder / "vain"
+            said = [run("surfaces", self.folder / "abdomen-truth.nii.gz", "-o", vain, *arguments, program=program)
                     for program in (OURS, TOOLKIT)]
+            self.assertFalse(vain.exists())
             self.assertEqual(*(process.returncode for process in said))
             for process in said:
                 self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]+\n\Z")
@@ -169,6 +171,13 @@ class Work(unittest.TestCase):
         for ours, theirs in zip(tables[0][0].values(), tables[1][0].values()):
             self.assertLess(abs(float(ours) - float(theirs)), 1e-4 * max(1, abs(float(ours))))
         self.assertEqual((len(prompts), len(surfaces)), (1, 1), prompts)
+        labels = self.folder / "lobed-labels.nii.gz"
+        self.assertEqual(run(*arguments, "--labels", labels).returncode, 0)
+        for start in (arguments, ["segment", volume, "--start-labels", labels, "--resolution", 8, "-q"]):
+            no_carving = ["--no-carving"] if start is arguments else []
+            said = {self.answered(b"", program, *start, *no_carving, "--ask", "-o", self.folder / "a.ply")
+                    for program in (OURS, TOOLKIT)}
+            self.assertRegex("".join(said), r"\A--ask: there is nothing to ask; [^\n]+\.\n\Z")
 
     def answered(self, answer, program, *arguments):
         """What is written on the standard error stream while a terminal gives the answer."""

@@ -213,6 +213,35 @@ class PointFiles(unittest.TestCase):
         self.assertFalse((self.folder / "never.stl").exists())
 
 
+    def test_strokes(self):
+        """The same points, in the same order, and the same words about wrong ones."""
+        self.write("inside.csv", "x,Y,z\n62.5,32,32.1\n62.5,32,32.1004\n60,32,32\n")
+        self.write("curve.mrk.json", markups(("C-1", [-33, -54, 32]), ("", [-34, -54, 32]), coordinateSystem="RAS"))
+        options = ("--outside-stroke", "curve.mrk.json", "--boundary", 32, 32, 60, "--inside-stroke", "inside.csv", "--inside",
+                   58, 32, 32)
+        for program in PROGRAMS:
+            process = self.segment(program, *options, "--save-points", "saved.csv", "-o", "a.stl")
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            self.assertEqual((self.folder / "saved.csv").read_text(),
+                             "kind,x,y,z,radius\ninside,58,32,32,\ninside,62.5,32,32.100000000000001,\ninside,60,32,32,\n"
+                             "outside,33,54,32,\noutside,34,54,32,\nboundary,32,32,60,\n")
+        ends = {}
+        for name, content in {"x.csv": "x,z,y\n", "four.csv": "inside,1,2,3\n", "none.csv": "", "none.mrk.json": '{"markups": []}',
+                              "bad.mrk.json": "{", "stroke.txt": ""}.items():
+            self.write(name, content)
+            for start in ((), ("--organ", "liver", 32, 32, 32, 6)):
+                words = [str(word) for word in start or self.start[1:]]
+                arguments = ["segment", "ball.nii.gz", *words, "--outside-stroke", name, "-o", "never.stl"]
+                toolkit = subprocess.run([os.environ["FLIPFREE_COMMAND"], *map(str, arguments)], capture_output=True,
+                                         text=True, timeout=120, check=False)
+                with contextlib.redirect_stderr(io.StringIO()) as errors:
+                    status = main(arguments)
+                with self.subTest(name, start=start):
+                    self.assertEqual((status, errors.getvalue()), (toolkit.returncode, toolkit.stderr))
+                ends[name] = errors.getvalue()
+        self.assertRegex(ends["none.csv"], "'none.csv' holds no points")
+
+
 class VesselFiles(unittest.TestCase):
     """What a cohort reads: points of whatever label."""
 
@@ -220,7 +249,7 @@ class VesselFiles(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / name
             path.write_text(content, encoding="utf-8")
-            return _point_files.read_vessel(str(path))
+            return _point_files.read_places(str(path))
 
     def test_good(self):
         expected = [(1.0, 2.0, 3.5), (-4.0, 5.0, 6.0)]

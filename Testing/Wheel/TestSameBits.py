@@ -28,6 +28,7 @@ RUNS = {
     "others": {"levels": 2, "resolution": 16, "leak_control": False, "edge_window": 0, "reach": 90,
                "diffusion_iterations": 12, "keep_history": True, "start_center_offset": (2, 0, -3)},
     "start labels": {"start_label": 6, "outside": [(60, 83, 167)]},
+    "stroke": {"outside": numpy.linspace((60, 83, 160), (60, 84, 173), 60), "levels": 3},
 }
 
 

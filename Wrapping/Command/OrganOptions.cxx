@@ -122,14 +122,15 @@ std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) co
     {
       organs.push_back(OrganOf(this->Values.data() + count - ValuesOfOrgan, corrections));
     }
-    else if (const auto kind = PointOptions::KindOfOption(name); kind && count % 3 == 0)
+    else if (const auto points = corrections.PointsEndingAt(name, count); !points.empty())
     {
       if (organs.empty())
       {
         throw WrongUsage(
           "--" + name + ": the point comes before the first --organ. Give it after its own organ.");
       }
-      organs.back().Points.push_back(corrections.PointOf(*kind, count / 3 - 1));
+      std::vector<CorrectionPoint>& own = organs.back().Points;
+      own.insert(own.end(), points.begin(), points.end());
     }
   }
   RequireNames(organs);

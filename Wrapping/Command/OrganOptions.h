@@ -36,7 +36,8 @@ public:
 
   /// The organs, after the command line was read: the points of `corrections` belong to the organ
   /// before them. Throws WrongUsage for a value that is not a number, a point before the first
-  /// organ, and names that are empty or would give the same file name.
+  /// organ, and names that are empty or would give the same file name, and Failure for a stroke
+  /// that cannot be read.
   std::vector<GivenOrgan> Organs(const PointOptions& corrections) const;
 
   /// Files of surfaces that stay as they are.

@@ -89,15 +89,25 @@ void RequireEnding(const std::string& option, const std::string& name,
   }
 }
 
-void MakeFolder(const std::string& folder)
+OutputFolder::OutputFolder(const std::string& name)
+  : Name(name)
 {
   std::error_code failure;
-  fs::create_directory(folder, failure);
-  if (!fs::is_directory(folder))
+  this->IsNew = fs::create_directory(name, failure);
+  if (!fs::is_directory(name))
   {
-    throw Failure("The folder '" + folder + "' cannot be created (" +
+    throw Failure("The folder '" + name + "' cannot be created (" +
       (failure ? failure.message() : "a file of that name exists") +
       "). Check the name and the permissions of its parent folder.");
+  }
+}
+
+OutputFolder::~OutputFolder()
+{
+  if (this->IsNew)
+  {
+    std::error_code isNotEmpty;
+    fs::remove(this->Name, isNotEmpty);
   }
 }
 

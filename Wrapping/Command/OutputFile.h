@@ -24,8 +24,22 @@ bool HasEnding(const std::string& name, const std::vector<std::string>& endings)
 void RequireEnding(const std::string& option, const std::string& name,
   const std::vector<std::string>& endings);
 
-/// Makes the folder unless it is there; its parent must be. Throws Failure.
-void MakeFolder(const std::string& folder);
+/// Makes the folder unless it is there; its parent must be. One that was made and into which
+/// nothing came goes again.
+class OutputFolder
+{
+public:
+  /// Throws Failure.
+  explicit OutputFolder(const std::string& name);
+  ~OutputFolder();
+
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+private:
+  const std::string Name;
+  bool IsNew = false;
+};
 
 class OutputFiles
 {

@@ -138,7 +138,7 @@ void Make(const Phantom& phantom)
     throw WrongUsage("There is no phantom '" + phantom.Name +
       "'. Choose sphere, cube, cup, u-tube, vessel or abdomen.");
   }
-  MakeFolder(phantom.Folder);
+  const OutputFolder made(phantom.Folder);
   const std::string stem = (std::filesystem::path(phantom.Folder) / phantom.Name).string();
   const std::string gray = stem + ".nii.gz";
   const std::string truth = stem + "-truth.nii.gz";

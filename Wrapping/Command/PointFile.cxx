@@ -1,9 +1,8 @@
 #include "PointFile.h"
 
-#include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
-#include "UnreadableFile.h"
+#include "PointText.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -11,12 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace Command
@@ -30,64 +25,18 @@ using Json = nlohmann::json;
 /// In the order of ConstraintKind.
 constexpr std::array<const char*, 4> KindNames{ { "outside", "inside", "boundary", "seed" } };
 
-std::string Lower(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return word;
-}
+/// In millimeters: points of a stroke that are nearer than this are one.
+constexpr double SamePlace = 1e-3;
 
-// Decimal, as tables and markups have them; other programs read no hexadecimal ones either.
-double NumberOf(const std::string& text)
+/// The first line may name the columns.
+bool IsHeader(const std::vector<std::string>& cells)
 {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos ||
-    end != text.c_str() + text.size() || !std::isfinite(number))
-  {
-    throw Failure("'" + text + "' is not a number");
-  }
-  return number;
-}
-
-std::string Trimmed(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  const std::size_t last = text.find_last_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-/// What stands between commas, without quotes around it; empty cells at the end do not count.
-std::vector<std::string> CellsOf(const std::string& line)
-{
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string text; std::getline(stream, text, ',');)
-  {
-    std::string cell = Trimmed(text);
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
-    {
-      cell = Trimmed(cell.substr(1, cell.size() - 2));
-    }
-    cells.push_back(cell);
-  }
-  while (!cells.empty() && cells.back().empty())
-  {
-    cells.pop_back();
-  }
-  return cells;
-}
-
-/// The first line may name the columns. Throws Failure for other columns than those of the lines.
-bool IsHeader(std::vector<std::string> cells)
-{
-  std::transform(cells.begin(), cells.end(), cells.begin(), Lower);
-  if (cells.front() != "kind")
+  if (Lower(cells.front()) != "kind")
   {
     return false;
   }
-  std::vector<std::string> columns{ "kind", "x", "y", "z", "radius" };
-  if (cells != columns && (columns.pop_back(), cells != columns))
+  if (!AreColumns(cells, { "kind", "x", "y", "z" }) &&
+    !AreColumns(cells, { "kind", "x", "y", "z", "radius" }))
   {
     throw Failure("the columns are kind, x, y, z and, for seeds, radius, in this order");
   }
@@ -104,127 +53,29 @@ CorrectionPoint PointOfLine(const std::vector<std::string>& cells)
   CorrectionPoint point;
   for (int axis = 0; axis < 3; ++axis)
   {
-    point.Place[axis] = NumberOf(cells[axis + 1]);
+    point.Place[axis] = PointNumberOf(cells[axis + 1]);
   }
-  point.Radius = cells.size() == 5 && !cells[4].empty() ? NumberOf(cells[4]) : 0;
+  point.Radius = cells.size() == 5 && !cells[4].empty() ? PointNumberOf(cells[4]) : 0;
   point.Kind = KindOf(Lower(cells[0]));
   RequireRadius(point);
   return point;
 }
 
-std::vector<CorrectionPoint> PointsOfTable(const std::string& text)
-{
-  std::istringstream file(text);
-  std::vector<CorrectionPoint> points;
-  std::string line;
-  bool isFirst = true;
-  for (int number = 1; std::getline(file, line); ++number)
-  {
-    const std::vector<std::string> cells = CellsOf(line);
-    if (cells.empty())
-    {
-      continue;
-    }
-    try
-    {
-      if (!isFirst || !IsHeader(cells))
-      {
-        points.push_back(PointOfLine(cells));
-      }
-      isFirst = false;
-    }
-    catch (const Failure& failure)
-    {
-      throw Failure("line " + std::to_string(number) + ": " + failure.what());
-    }
-  }
-  return points;
-}
-
-/// How the coordinates of a list of control points become LPS millimeters.
-struct MarkupsFrame
-{
-  bool IsRAS = false;
-  double Factor = 1;
-  double Divisor = 1; ///< apart from the factor, so that whole micrometers are exact
-};
-
-/// Millimeters per unit, as a factor and a divisor. By UCUM's codes.
-const std::vector<std::pair<std::string, std::array<double, 2>>> LengthUnits{
-  { "nm", { { 1, 1e6 } } },
-  { "um", { { 1, 1e3 } } },
-  { "mm", { { 1, 1 } } },
-  { "cm", { { 10, 1 } } },
-  { "dm", { { 100, 1 } } },
-  { "m", { { 1000, 1 } } },
-  { "[in_i]", { { 25.4, 1 } } },
-};
-
-MarkupsFrame FrameOf(const Json& list)
-{
-  MarkupsFrame frame;
-  // Files before version 1.0.1 have a number: 0 for RAS.
-  const Json system = list.value("coordinateSystem", Json("LPS"));
-  const std::string name = system.is_string() ? system.get<std::string>() : system.dump();
-  frame.IsRAS = name == "RAS" || name == "0";
-  if (!frame.IsRAS && name != "LPS" && name != "1")
-  {
-    throw Failure("the coordinate system is " + system.dump() + "; it can be LPS or RAS");
-  }
-  // From version 1.0.4 on, the code is the first word of a coded entry.
-  Json unit = list.value("coordinateUnits", Json("mm"));
-  unit = unit.is_array() && !unit.empty() ? unit.front() : unit;
-  const auto found = std::find_if(LengthUnits.begin(), LengthUnits.end(),
-    [&unit](const auto& known) { return unit == known.first; });
-  if (found == LengthUnits.end())
-  {
-    throw Failure(
-      "the unit of coordinates is " + unit.dump() + "; it can be nm, um, mm, cm, dm, m or [in_i]");
-  }
-  frame.Factor = found->second[0];
-  frame.Divisor = found->second[1];
-  return frame;
-}
-
-/// 3D Slicer also saves points that are yet to be placed, with or without a position.
-bool IsPlaced(const Json& control)
-{
-  const Json& position = control.at("position");
-  const bool isEmpty = position.is_string() && position.get<std::string>().empty();
-  return control.value("positionStatus", Json("defined")) == "defined" && !isEmpty;
-}
-
-std::string LabelOf(const Json& control)
-{
-  return control.value("label", Json("")).get<std::string>();
-}
-
-CorrectionPoint PointOfControl(const Json& control, const MarkupsFrame& frame)
+CorrectionPoint PointOfControl(const std::string& words, const std::array<double, 3>& place)
 {
   CorrectionPoint point;
-  std::istringstream label(LabelOf(control));
+  point.Place = place;
+  std::istringstream label(words);
   std::string kind;
   std::string radius;
   label >> kind >> radius;
-  const auto& position = control.at("position").get_ref<const Json::array_t&>();
-  if (position.size() != 3 ||
-    !std::all_of(position.begin(), position.end(), [](const Json& x) { return x.is_number(); }))
-  {
-    throw Failure("its position is not three numbers");
-  }
-  std::transform(position.begin(), position.end(), point.Place.begin(),
-    [&frame](const Json& x) { return x.get<double>() * frame.Factor / frame.Divisor; });
-  if (frame.IsRAS)
-  {
-    point.Place = SwapLpsRas(point.Place);
-  }
   try
   {
     // 3D Slicer numbers its points: inside-1.
     point.Kind = KindOf(Lower(kind.substr(0, kind.find_first_of("-_"))));
     if (point.Kind == ConstraintKind::Seed && !radius.empty())
     {
-      point.Radius = NumberOf(radius);
+      point.Radius = PointNumberOf(radius);
     }
     RequireRadius(point);
   }
@@ -235,70 +86,27 @@ CorrectionPoint PointOfControl(const Json& control, const MarkupsFrame& frame)
   return point;
 }
 
-std::vector<CorrectionPoint> PointsOfMarkups(const std::string& text)
+bool IsHeaderOfStroke(const std::vector<std::string>& cells)
 {
-  std::vector<CorrectionPoint> points;
-  const Json content = Json::parse(text);
-  for (const Json& list : content.at("markups").get_ref<const Json::array_t&>())
-  {
-    const MarkupsFrame frame = FrameOf(list);
-    int number = 0;
-    for (const Json& control : list.at("controlPoints").get_ref<const Json::array_t&>())
-    {
-      ++number;
-      if (!IsPlaced(control))
-      {
-        continue;
-      }
-      try
-      {
-        points.push_back(PointOfControl(control, frame));
-      }
-      catch (const Failure& failure)
-      {
-        const std::string label = LabelOf(control);
-        throw Failure("control point " +
-          (label.empty() ? std::to_string(number) : Json(label).dump()) + ": " + failure.what());
-      }
-    }
-  }
-  return points;
-}
-
-bool IsText(const std::string& text)
-{
-  try
-  {
-    Json(text).dump(); // which takes no other bytes than UTF-8
-  }
-  catch (const Json::exception&)
+  if (Lower(cells.front()) != "x")
   {
     return false;
   }
-  return text.find('\0') == std::string::npos;
+  if (!AreColumns(cells, { "x", "y", "z" }))
+  {
+    throw Failure("the columns are x, y, z, in this order");
+  }
+  return true;
 }
 
-/// Without the mark that some programs put in front of UTF-8.
-std::string TextOf(const std::string& name)
+std::array<double, 3> PlaceOfLine(const std::vector<std::string>& cells)
 {
-  const std::ifstream file(name, std::ios::binary);
-  std::ostringstream content;
-  std::error_code ignored;
-  const bool isFile = file && !std::filesystem::is_directory(name, ignored);
-  if (isFile)
+  if (cells.size() != 3)
   {
-    content << file.rdbuf();
+    throw Failure(
+      "cells separated by commas: " + std::to_string(cells.size()) + "; needed are x, y, z");
   }
-  if (!isFile || content.bad())
-  {
-    throw UnreadableFile(name);
-  }
-  const std::string text = content.str();
-  if (!IsText(text))
-  {
-    throw Failure("'" + name + "' is not UTF-8 text. Save it as UTF-8.");
-  }
-  return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
+  return { { PointNumberOf(cells[0]), PointNumberOf(cells[1]), PointNumberOf(cells[2]) } };
 }
 
 std::string TableOf(const std::vector<CorrectionPoint>& points)
@@ -370,29 +178,47 @@ void RequireRadius(const CorrectionPoint& point)
   }
 }
 
-const std::vector<std::string>& PointEndings()
-{
-  static const std::vector<std::string> endings{ ".csv", ".mrk.json" };
-  return endings;
-}
-
 std::vector<CorrectionPoint> ReadPoints(const std::string& name)
 {
-  const std::string text = TextOf(name);
-  try
+  std::vector<CorrectionPoint> points;
+  PointReader reader;
+  reader.Columns = "kind, x, y, z and radius";
+  reader.IsHeader = IsHeader;
+  reader.TakeCells = [&points](const auto& cells) { points.push_back(PointOfLine(cells)); };
+  reader.TakeControl = [&points](const std::string& label, const auto& place)
+  { points.push_back(PointOfControl(label, place)); };
+  ReadPointText(name, reader);
+  return points;
+}
+
+std::vector<CorrectionPoint> ReadStroke(const std::string& name, ConstraintKind kind)
+{
+  std::vector<CorrectionPoint> points;
+  // A closed curve comes back to its first point.
+  const auto add = [&](const std::array<double, 3>& place)
   {
-    return HasEnding(name, { ".csv" }) ? PointsOfTable(text) : PointsOfMarkups(text);
-  }
-  catch (const Json::exception&)
+    const bool isNew = std::none_of(points.begin(), points.end(),
+      [&place](const CorrectionPoint& point)
+      {
+        const auto& [x, y, z] = point.Place;
+        return std::hypot(place[0] - x, place[1] - y, place[2] - z) < SamePlace;
+      });
+    if (isNew)
+    {
+      points.push_back({ kind, place, 0 });
+    }
+  };
+  PointReader reader;
+  reader.Columns = "x, y and z";
+  reader.IsHeader = IsHeaderOfStroke;
+  reader.TakeCells = [&add](const auto& cells) { add(PlaceOfLine(cells)); };
+  reader.TakeControl = [&add](const std::string&, const auto& place) { add(place); };
+  ReadPointText(name, reader);
+  if (points.empty())
   {
-    throw Failure("'" + name +
-      "' does not hold markups of 3D Slicer. Give a file of control points that it has saved, or "
-      "a table (.csv) with the columns kind, x, y, z and radius.");
+    throw Failure("'" + name + "' holds no points. Draw the stroke, or leave the option out.");
   }
-  catch (const Failure& failure)
-  {
-    throw Failure("'" + name + "', " + failure.what() + ".");
-  }
+  return points;
 }
 
 void WritePoints(const std::string& name, const std::vector<CorrectionPoint>& points)

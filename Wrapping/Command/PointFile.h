@@ -2,7 +2,7 @@
  * Points that correct a segmentation, as files: tables (.csv) with the columns kind, x, y, z and
  * radius in LPS millimeters, and 3D Slicer's markups (.mrk.json), LPS or RAS and in the unit that
  * the file says, where the kind is the first word of a control point's label, and a seed's radius
- * (mm) the second one. Control points that have not been placed are left out.
+ * (mm) the second one; and strokes, whose points are all of one kind.
  * The package without VTK reads them, too (_point_files.py); a test holds the two together.
  */
 #ifndef FlipFreeCommandPointFile_h
@@ -36,11 +36,12 @@ FlipFree::ConstraintKind KindOf(const std::string& name);
 /// Throws Failure for a seed without radius.
 void RequireRadius(const CorrectionPoint& point);
 
-/// The endings of files of points.
-const std::vector<std::string>& PointEndings();
-
 /// Throws Failure, naming the file, the line or the control point, and what is wrong.
 std::vector<CorrectionPoint> ReadPoints(const std::string& name);
+
+/// A stroke: a table of x, y, z, or markups such as a curve, whose labels do not matter. Points
+/// closer than a micrometer are one. Throws Failure as ReadPoints(), and for a file of no points.
+std::vector<CorrectionPoint> ReadStroke(const std::string& name, FlipFree::ConstraintKind kind);
 
 void WritePoints(const std::string& name, const std::vector<CorrectionPoint>& points);
 

@@ -2,10 +2,12 @@
 
 #include "Coordinates.h"
 #include "OutputFile.h"
+#include "PointText.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace Command
@@ -15,14 +17,16 @@ namespace
 
 using FlipFree::ConstraintKind;
 
-/// In the order of --help and of the points.
-constexpr std::array<ConstraintKind, 3> KindsOfOptions{ { ConstraintKind::Inside,
-  ConstraintKind::Outside, ConstraintKind::Boundary } };
-
-std::string OptionOf(ConstraintKind kind)
+struct OptionOfKind
 {
-  return std::string("--") + KindName(kind);
-}
+  const char* Name;
+  ConstraintKind Kind;
+};
+
+/// In the order of the points.
+constexpr OptionOfKind OptionsOfKinds[] = { { "inside", ConstraintKind::Inside },
+  { "inside-stroke", ConstraintKind::Inside }, { "outside", ConstraintKind::Outside },
+  { "outside-stroke", ConstraintKind::Outside }, { "boundary", ConstraintKind::Boundary } };
 
 } // namespace
 
@@ -30,18 +34,26 @@ void PointOptions::AddOptions(CLI::App& command, const std::string& what)
 {
   const bool hasSeeds = what == "organ";
   const char* const group = "Corrections";
-  const auto add = [&](ConstraintKind kind, const std::string& help)
+  const auto add =
+    [&](const std::string& name, auto& values, const char* type, int count, const std::string& help)
   {
-    command.add_option(OptionOf(kind), this->Coordinates.at(static_cast<std::size_t>(kind)), help)
-      ->type_name("X Y Z")
-      ->expected(3, CLI::detail::expected_max_vector_size)
-      ->allow_extra_args(false) // of the three that each time has
+    command.add_option("--" + name, values[name], help)
+      ->type_name(type)
+      ->expected(count, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args(false) // of those that each time has
       ->group(group);
   };
-  add(ConstraintKind::Inside,
+  const auto addPoint = [&](const char* name, const std::string& help)
+  { add(name, this->Coordinates, "X Y Z", 3, help); };
+  addPoint("inside",
     "A point inside the " + what + " that was missed, in LPS millimeters; can be repeated");
-  add(ConstraintKind::Outside, "A point outside the " + what + " that was taken for it, likewise");
-  add(ConstraintKind::Boundary, "A point on the " + what + "'s boundary, likewise");
+  addPoint("outside", "A point outside the " + what + " that was taken for it, likewise");
+  addPoint("boundary", "A point on the " + what + "'s boundary, likewise");
+  add("inside-stroke", this->Strokes, "FILE", 1,
+    "A stroke of points inside: a table (.csv: x, y, z) or a curve of 3D Slicer (.mrk.json); can "
+    "be "
+    "repeated");
+  add("outside-stroke", this->Strokes, "FILE", 1, "A stroke of points outside, likewise");
   command
     .add_option("--points", this->PointsIn,
       hasSeeds
@@ -65,15 +77,22 @@ void PointOptions::AddOptions(CLI::App& command, const std::string& what)
 bool PointOptions::IsEmpty() const
 {
   return std::all_of(this->Coordinates.begin(), this->Coordinates.end(),
-           [](const auto& values) { return values.empty(); }) &&
-    this->PointsIn.empty() && this->PointsOut.empty() && !this->RAS;
+           [](const auto& option) { return option.second.empty(); }) &&
+    this->StrokeFiles().empty() && !this->HasFiles() && !this->RAS;
 }
 
 void PointOptions::RequireSense() const
 {
-  for (const ConstraintKind kind : KindsOfOptions)
+  for (const auto& [name, coordinates] : this->Coordinates)
   {
-    RequireCoordinates(OptionOf(kind), this->CoordinatesOf(kind));
+    RequireCoordinates("--" + name, coordinates);
+  }
+  for (const auto& [name, strokes] : this->Strokes)
+  {
+    for (const std::string& stroke : strokes)
+    {
+      RequireEnding("--" + name, stroke, PointEndings());
+    }
   }
   const std::pair<const char*, const std::string*> files[] = { { "--points", &this->PointsIn },
     { "--save-points", &this->PointsOut } };
@@ -92,26 +111,34 @@ std::array<double, 3> PointOptions::InLps(const double* given) const
   return this->RAS ? SwapLpsRas(point) : point;
 }
 
-const std::vector<double>& PointOptions::CoordinatesOf(ConstraintKind kind) const
+std::vector<std::string> PointOptions::StrokeFiles() const
 {
-  return this->Coordinates.at(static_cast<std::size_t>(kind));
-}
-
-std::optional<ConstraintKind> PointOptions::KindOfOption(const std::string& name)
-{
-  for (const ConstraintKind kind : KindsOfOptions)
+  std::vector<std::string> files;
+  for (const auto& option : this->Strokes)
   {
-    if (name == KindName(kind))
-    {
-      return kind;
-    }
+    files.insert(files.end(), option.second.begin(), option.second.end());
   }
-  return std::nullopt;
+  return files;
 }
 
-CorrectionPoint PointOptions::PointOf(ConstraintKind kind, std::size_t number) const
+std::vector<CorrectionPoint> PointOptions::PointsEndingAt(const std::string& option,
+  std::size_t number) const
 {
-  return { kind, this->InLps(this->CoordinatesOf(kind).data() + 3 * number), 0 };
+  const auto* const found = std::find_if(std::begin(OptionsOfKinds), std::end(OptionsOfKinds),
+    [&option](const OptionOfKind& one) { return option == one.Name; });
+  if (found == std::end(OptionsOfKinds))
+  {
+    return {};
+  }
+  if (const auto strokes = this->Strokes.find(option); strokes != this->Strokes.end())
+  {
+    return ReadStroke(strokes->second.at(number - 1), found->Kind);
+  }
+  if (number % 3 != 0)
+  {
+    return {};
+  }
+  return { { found->Kind, this->InLps(this->Coordinates.at(option).data() + number - 3), 0 } };
 }
 
 std::vector<CorrectionPoint> PointOptions::Points() const
@@ -121,12 +148,15 @@ std::vector<CorrectionPoint> PointOptions::Points() const
   {
     points = ReadPoints(this->PointsIn);
   }
-  for (const ConstraintKind kind : KindsOfOptions)
+  for (const auto& [name, kind] : OptionsOfKinds)
   {
-    const std::size_t count = this->CoordinatesOf(kind).size() / 3;
-    for (std::size_t number = 0; number < count; ++number)
+    const auto strokes = this->Strokes.find(name);
+    const std::size_t count =
+      strokes != this->Strokes.end() ? strokes->second.size() : this->Coordinates.at(name).size();
+    for (std::size_t number = 1; number <= count; ++number)
     {
-      points.push_back(this->PointOf(kind, number));
+      const std::vector<CorrectionPoint> more = this->PointsEndingAt(name, number);
+      points.insert(points.end(), more.begin(), more.end());
     }
   }
   return points;

@@ -1,6 +1,6 @@
 /**
  * The options that correct a segmentation: points inside the organ or vessel, outside
- * it, on its boundary.
+ * it, on its boundary, and strokes of such points.
  */
 #ifndef FlipFreeCommandPointOptions_h
 #define FlipFreeCommandPointOptions_h
@@ -8,7 +8,7 @@
 #include "PointFile.h"
 
 #include <array>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,11 +38,9 @@ public:
   /// All points in LPS millimeters, those of the file first. Throws Failure if it cannot be read.
   std::vector<CorrectionPoint> Points() const;
 
-  /// The kind of the points that an option takes, named without its dashes; none of other options.
-  static std::optional<FlipFree::ConstraintKind> KindOfOption(const std::string& name);
-
-  /// The point of that kind, which is not a seed, and number, from 0, of the command line.
-  CorrectionPoint PointOf(FlipFree::ConstraintKind kind, std::size_t number) const;
+  /// What the value of that number, from 1, completes of an option, named without its dashes: a
+  /// point, a stroke, or nothing.
+  std::vector<CorrectionPoint> PointsEndingAt(const std::string& option, std::size_t number) const;
 
   /// Whether points are read from a file, or written.
   bool HasFiles() const { return !this->PointsIn.empty() || !this->PointsOut.empty(); }
@@ -53,13 +51,16 @@ public:
   /// Where points are read from; empty if nowhere.
   const std::string& Input() const { return this->PointsIn; }
 
+  /// The files of strokes.
+  std::vector<std::string> StrokeFiles() const;
+
   /// Where all points are to be written; empty if nowhere.
   const std::string& Output() const { return this->PointsOut; }
 
 private:
-  const std::vector<double>& CoordinatesOf(FlipFree::ConstraintKind kind) const;
-
-  std::array<std::vector<double>, 3> Coordinates; // by the kind, three numbers of each point
+  /// By the name of the option; three numbers of each point.
+  std::map<std::string, std::vector<double>> Coordinates;
+  std::map<std::string, std::vector<std::string>> Strokes;
   std::string PointsIn;
   std::string PointsOut;
   bool RAS = false;

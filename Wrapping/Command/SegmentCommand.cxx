@@ -21,11 +21,13 @@
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
 
 #include <CLI/CLI.hpp>
 
@@ -46,7 +48,8 @@ using Point = std::array<double, 3>;
 
 void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
 {
-  const std::vector<std::string> kept{ request.Input, request.StartLabels, request.Session };
+  std::vector<std::string> kept = request.Corrections.StrokeFiles();
+  kept.insert(kept.end(), { request.Input, request.StartLabels, request.Session });
   std::vector<std::string> inputs = kept;
   inputs.push_back(request.Corrections.Input());
   const auto announce =
@@ -209,10 +212,24 @@ void Update(const SegmentRequest& request, const OrganFilter& filter)
   }
 }
 
+std::string WhyNoQuestions(const SegmentRequest& request, vtkFlipFreeSegmentation* organ)
+{
+  if (!request.StartLabels.empty())
+  {
+    return "a start from labels has no questions";
+  }
+  return organ->GetFeature()->GetCarving() ? "no part of the result is in doubt"
+                                           : "questions come with --carving";
+}
+
 /// Asks once, segments again by the answers, and returns their points.
 std::vector<CorrectionPoint> Ask(const SegmentRequest& request, const OrganFilter& filter)
 {
   auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
+  if (organ->GetQuestions()->GetNumberOfRows() == 0)
+  {
+    WriteToUser("--ask: there is nothing to ask; " + WhyNoQuestions(request, organ) + ".\n");
+  }
   std::vector<CorrectionPoint> answers = AskQuestions(organ->GetQuestions());
   if (!answers.empty())
   {
@@ -465,7 +482,9 @@ void AddFiles(CLI::App* command, SegmentRequest& request)
     ->add_option("--questions", request.Questions,
       "Table of the parts of which the result is not sure, at most five, those first where an "
       "answer is worth most (.csv): place, volume, whether it is included, and the margin. Yes is "
-      "--inside X Y Z, no --outside X Y Z. Vessels of a session have none")
+      "--inside X Y Z, no --outside X Y Z. Of several organs, each has a table with its name, as "
+      "in "
+      "out-liver.csv; vessels of a session have none")
     ->type_name("FILE");
   command->add_flag("--ask", request.Asks,
     "Ask these questions at the terminal, and segment again by the answers, which are points "

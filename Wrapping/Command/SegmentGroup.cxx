@@ -115,7 +115,8 @@ public:
   /// Before the work is done.
   void AnnounceFiles()
   {
-    std::vector<std::string> inputs{ this->Given.Input, this->Given.Session };
+    std::vector<std::string> inputs = this->Given.Corrections.StrokeFiles();
+    inputs.insert(inputs.end(), { this->Given.Input, this->Given.Session });
     inputs.insert(inputs.end(), this->Fixed.begin(), this->Fixed.end());
     const auto announce = [&](const char* option, const std::string& name)
     {

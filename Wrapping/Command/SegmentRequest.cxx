@@ -46,7 +46,6 @@ void RequireOnlyOrgans(const SegmentRequest& request)
     throw WrongUsage("--points and --save-points are for one organ. Give the points of several by "
                      "--inside, --outside and --boundary, after the organ that they belong to.");
   }
-  request.Several.Organs(request.Corrections);
 }
 
 /// Somebody to answer, and one organ that the answers correct.

@@ -74,7 +74,7 @@ void MakeSurfaces(const SurfacesRequest& request)
     ProgressBar::Disable();
   }
   vtkSMPTools::Initialize(request.Threads);
-  MakeFolder(request.Folder);
+  const OutputFolder made(request.Folder);
   const std::filesystem::path folder(request.Folder);
   const std::string csv = (folder / "surfaces.csv").string();
   OutputFiles outputs;

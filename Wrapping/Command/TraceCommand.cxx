@@ -190,13 +190,17 @@ void TraceVessel(Trace trace)
   }
   RequireSense(trace);
   OutputFiles files;
+  std::vector<std::string> kept = trace.Corrections.StrokeFiles();
+  kept.push_back(trace.Input);
+  std::vector<std::string> inputs = kept;
+  inputs.push_back(trace.Corrections.Input());
   for (const Output& output : OutputsOf(trace, nullptr, nullptr))
   {
-    files.Announce(output.Option, *output.Name, { trace.Input, trace.Corrections.Input() });
+    files.Announce(output.Option, *output.Name, inputs);
   }
   if (!trace.Corrections.Output().empty())
   {
-    files.Announce("--save-points", trace.Corrections.Output(), { trace.Input });
+    files.Announce("--save-points", trace.Corrections.Output(), kept);
   }
   vtkNew<vtkFlipFreeVesselSegmentation> filter;
   Configure(trace, filter);

@@ -70,8 +70,8 @@ def segment(
         the result as always.
     inside, outside, boundary
         Lists of points (x, y, z) in mm that the surface obeys: they end inside it, outside it, and
-        within half the smallest spacing of it. Their order means nothing. corrected() of the
-        result adds more.
+        within half the smallest spacing of it. An array of n rows, such as a painted stroke, is such
+        a list. Their order means nothing. corrected() of the result adds more.
     seeds
         Further spheres within the organ, as pairs of center and radius. The surface starts from the
         largest one.

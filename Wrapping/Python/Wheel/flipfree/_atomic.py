@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 from ._errors import FileError
@@ -69,6 +69,19 @@ def make_folder(path: str) -> None:
             f"The folder '{path}' cannot be created ({error.strerror}). Check the name and the "
             "permissions of its parent folder."
         ) from error
+
+
+@contextmanager
+def output_folder(path: str) -> Iterator[None]:
+    """Creates a folder, unless there is one; a new one into which nothing comes goes again."""
+    is_new = not os.path.isdir(path)
+    make_folder(path)
+    try:
+        yield
+    finally:
+        if is_new:
+            with suppress(OSError):  # which it is, unless the folder is empty
+                os.rmdir(path)
 
 
 def _refusal(name: str, error: OSError) -> FileError:

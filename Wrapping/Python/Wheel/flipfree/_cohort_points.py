@@ -10,7 +10,7 @@ from typing import Any, Union
 
 from ._corrections import Constraint
 from ._errors import FileError
-from ._point_files import ENDINGS, arguments_of, decimal, read_points, read_vessel
+from ._point_files import ENDINGS, arguments_of, decimal, read_places, read_points
 
 CORRECTIONS = ("inside", "outside", "boundary", "corrections")
 # The points themselves, or the name of their file.
@@ -54,7 +54,7 @@ def cell_of(column: str, text: str, folder: str) -> Cell:
 
 def vessel_of(cell: Cell) -> list[tuple[float, ...]]:
     """The points in a vessel; ValueError if the file will not do."""
-    points = _from_file("points", read_vessel, cell) if isinstance(cell, str) else cell
+    points = _from_file("points", read_places, cell) if isinstance(cell, str) else cell
     if len(points) < 2:
         raise ValueError(
             f"points: '{cell}' holds {len(points)} points, and a vessel needs at least two; give one at each end"

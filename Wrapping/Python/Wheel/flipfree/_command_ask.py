@@ -8,6 +8,7 @@ from typing import Any
 
 from ._options import WrongUsage
 from ._questions import Question
+from ._segment import default_parameters
 
 
 def require_answers(values: dict[str, Any]) -> None:
@@ -22,6 +23,17 @@ def require_answers(values: dict[str, Any]) -> None:
             "--ask needs a terminal to ask at. Write the questions to a file by --questions, and "
             "answer them by --inside and --outside"
         )
+
+
+def say_nothing_to_ask(values: dict[str, Any]) -> None:
+    """Why there are no questions."""
+    if "start_labels" in values:
+        why = "a start from labels has no questions"
+    elif {**default_parameters(values.get("preset", "default")), **values}["carving"]:
+        why = "no part of the result is in doubt"
+    else:
+        why = "questions come with --carving"
+    print(f"--ask: there is nothing to ask; {why}.", file=sys.stderr)
 
 
 def ask(questions: Sequence[Question]) -> dict[int, bool]:

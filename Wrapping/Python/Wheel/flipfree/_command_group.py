@@ -10,14 +10,16 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import GROUP_PARAMETERS, set_threads
-from ._command_inputs import input_title, lps, require_coordinates
+from ._command_inputs import POINTS, input_title, lps, places_of_option, require_coordinates
 from ._command_outputs import (
     OUTPUTS,
     SHARED,
+    STROKES,
     require_ending,
     require_files,
     require_outputs,
     require_place,
+    strokes_of,
     write_output,
     write_to,
 )
@@ -88,8 +90,9 @@ def _outputs_of(values: dict[str, Any], organs: Organs) -> dict[tuple[str, str],
         if name not in SHARED
     }
     session = [values["session"]] if "session" in values else []
+    inputs = [values["input"], *values.get("fixed", ()), *session, *strokes_of(values)]
     for path in (*outputs.values(), *shared.values()):
-        require_place(path, [values["input"], *values.get("fixed", ()), *session])
+        require_place(path, inputs)
     require_files(values, shared)
     return outputs
 
@@ -156,13 +159,14 @@ def organs_of(values: dict[str, Any]) -> Organs:
             name, *numbers = given
             _require_name(name, organs)
             organs[name] = _seed_of(values, name, numbers)
-        elif option in ("inside", "outside", "boundary"):
+        elif option in (*POINTS, *STROKES):
             if not organs:
                 raise WrongUsage(
-                    f"--{option}: the point comes before the first --organ. Give it after its own organ"
+                    f"--{option.replace('_', '-')}: the point comes before the first --organ. Give it "
+                    "after its own organ"
                 )
-            points = organs[next(reversed(organs))].setdefault(option, [])
-            points.append(lps(values, given))
+            kind, places = places_of_option(values, option, given)
+            organs[next(reversed(organs))].setdefault(kind, []).extend(places)
     return organs
 
 

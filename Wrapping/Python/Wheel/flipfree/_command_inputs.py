@@ -9,10 +9,13 @@ from typing import Any
 
 from ._coordinates import swap_lps_ras
 from ._corrections import Constraint, constraints_of
-from ._command_outputs import require_ending
+from ._command_outputs import STROKES, require_ending
 from ._image import Image
 from ._options import WrongUsage
-from ._point_files import ENDINGS, read_points
+from ._point_files import ENDINGS, read_points, read_stroke
+
+# What corrects a segmentation, by the options.
+POINTS = ("inside", "outside", "boundary")
 
 
 def lps(values: dict[str, Any], point: list[float]) -> list[float]:
@@ -30,8 +33,11 @@ def require_coordinates(option: str, points: Iterable[list[float]]) -> None:
 
 def require_sense_of_corrections(values: dict[str, Any]) -> None:
     """Checks the options that correct a segmentation."""
-    for kind in ("inside", "outside", "boundary"):
+    for kind in POINTS:
         require_coordinates(f"--{kind}", values.get(kind, ()))
+    for option in STROKES:
+        for path in values.get(option, ()):
+            require_ending(f"--{option.replace('_', '-')}", path, ENDINGS)
     if "points" in values:
         require_ending("--points", values["points"], ENDINGS)
 
@@ -39,11 +45,21 @@ def require_sense_of_corrections(values: dict[str, Any]) -> None:
 def points_of(values: dict[str, Any]) -> list[Constraint]:
     """The corrections; those of the file first."""
     points = read_points(values["points"]) if "points" in values else []
-    inside, outside, boundary = (
-        [lps(values, point) for point in values.get(kind, ())]
-        for kind in ("inside", "outside", "boundary")
-    )
-    return [*points, *constraints_of(inside, outside, boundary, ())]
+    given: dict[str, Any] = {kind: [] for kind in POINTS}
+    for option in (*POINTS, *STROKES):
+        for value in values.get(option, ()):
+            kind, places = places_of_option(values, option, value)
+            given[kind] += places
+    return [*points, *constraints_of(**given, seeds=())]
+
+
+def places_of_option(
+    values: dict[str, Any], option: str, value: Any
+) -> tuple[str, list[Sequence[float]]]:
+    """The kind of what a value of one of POINTS or STROKES gives, and its places."""
+    if option in STROKES:
+        return option.partition("_")[0], [*read_stroke(value)]
+    return option, [lps(values, value)]
 
 
 def point_of(image: Image, voxel: Sequence[float]) -> list[float]:

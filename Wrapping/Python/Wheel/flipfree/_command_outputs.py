@@ -40,6 +40,8 @@ OUTPUTS = {
 }
 # Of all organs of a session, one each.
 SHARED = ("labels", "save_session")
+# Options of files that no output replaces.
+STROKES = ("inside_stroke", "outside_stroke")
 
 
 def require_outputs(
@@ -65,7 +67,8 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
     for name, path in outputs.items():
         # Points may take the place of those that were given.
         others = ("input", "start_labels", "session", *(() if name == "save_points" else ("points",)))
-        require_place(path, [values[other] for other in others if other in values])
+        inputs = [values[other] for other in others if other in values]
+        require_place(path, [*inputs, *strokes_of(values)])
     if not os.path.isdir(values["input"]) and "series" in values:
         raise WrongUsage(
             f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
@@ -79,6 +82,11 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
         from ._picture import require_matplotlib
 
         require_matplotlib()
+
+
+def strokes_of(values: dict[str, Any]) -> list[str]:
+    """The files of strokes."""
+    return [path for option in STROKES for path in values.get(option, ())]
 
 
 def require_ending(option: str, name: str, endings: tuple[str, ...]) -> None:

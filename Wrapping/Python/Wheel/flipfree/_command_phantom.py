@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any, get_args
 
-from ._atomic import make_folder
+from ._atomic import output_folder
 from ._files import write_image
 from ._options import WrongUsage
 from ._phantom import Organ
@@ -23,7 +23,6 @@ def phantom(values: dict[str, Any]) -> None:
         if wrong is not None:
             raise WrongUsage(f"--{option}: {wrong:g} is not positive. Give --{option} {unit}")
     folder = values.get("output", ".")
-    make_folder(folder)
     keywords = {
         "size": "dimensions",
         "spacing": "spacing",
@@ -31,10 +30,12 @@ def phantom(values: dict[str, Any]) -> None:
         "random_seed": "random_seed",
         "lesions": "number_of_lesions",
     }
-    made = make_phantom(name, **{keywords[key]: values[key] for key in keywords if key in values})
-    stem = os.path.join(folder, name)
-    write_image(made.image, f"{stem}.nii.gz")
-    write_image(made.label_map, f"{stem}-truth.nii.gz")
+    given = {keywords[key]: values[key] for key in keywords if key in values}
+    with output_folder(folder):
+        made = make_phantom(name, **given)
+        stem = os.path.join(folder, name)
+        write_image(made.image, f"{stem}.nii.gz")
+        write_image(made.label_map, f"{stem}-truth.nii.gz")
     if "quiet" in values:
         return
     for label in sorted(made.seeds, key=lambda label: (label != Organ.LIVER, label)):

@@ -11,9 +11,10 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
-from ._command_ask import ask, require_answers
+from ._command_ask import ask, require_answers, say_nothing_to_ask
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
+    POINTS,
     input_title,
     points_of,
     require_coordinates,
@@ -23,6 +24,7 @@ from ._command_inputs import (
 from ._command_outputs import (
     OUTPUTS,
     SHARED,
+    STROKES,
     require_files,
     require_outputs,
     write_output,
@@ -95,7 +97,7 @@ def _session_of(values: dict[str, Any]) -> Session | None:
             "--session has the seed and the preset. Leave out --seed, --seed-voxel, --radius and "
             "--preset"
         )
-    if {"inside", "outside", "boundary", "points", "save_points", "ras"} & values.keys():
+    if {*POINTS, *STROKES, "points", "save_points", "ras"} & values.keys():
         raise WrongUsage(
             "--session cannot be corrected by points. Give the image, --seed and --radius in its place"
         )
@@ -161,6 +163,8 @@ def _segment_one(
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
     if "ask" in values:
+        if not organ.questions:
+            say_nothing_to_ask(values)
         answers = ask(organ.questions)
         points = [*points, *answers_of(organ.questions, answers)]
         organ = organ.answered(answers, progress=progress or None) if answers else organ

@@ -10,7 +10,7 @@ import re
 from dataclasses import replace
 from typing import Any
 
-from ._atomic import make_folder, write_table
+from ._atomic import output_folder, write_table
 from ._backend import set_threads
 from ._command_inputs import wants_bar
 from ._command_outputs import require_place, write_to
@@ -42,8 +42,14 @@ def surfaces(values: dict[str, Any]) -> None:
     if "exact" in values and "distance" in values:
         raise WrongUsage("--exact excludes --distance")
     set_threads(values.get("threads", 0))
-    folder = values["output"]
-    make_folder(folder)
+    with output_folder(values["output"]):
+        found = _written(values, values["output"])
+    if "quiet" not in values:
+        _print(found)
+
+
+def _written(values: dict[str, Any], folder: str) -> LabelSurfaces:
+    """Makes the surfaces, and writes them and the table."""
     table = os.path.join(folder, "surfaces.csv")
     require_place(table, [values["labels"]])
     image, _ = read_labels(values["labels"], "")
@@ -64,8 +70,7 @@ def surfaces(values: dict[str, Any]) -> None:
         for label, file in files.items()
     ]
     write_table(table, [*COLUMNS, "File"], rows)
-    if "quiet" not in values:
-        _print(found)
+    return found
 
 
 def _surface_of(found: LabelSurfaces, label: int) -> Surface:

@@ -27,6 +27,7 @@ SCHEMA = (
     "Schema/markups-schema-v1.0.3.json#"
 )
 SPACE = " \t\r"
+SAME_PLACE = 1e-3  # mm; points of a stroke that are nearer than this are one
 # Millimeters per unit, by UCUM's codes: a factor, and a divisor, so that whole micrometers are exact.
 UNITS = {
     "nm": (1.0, 1e6),
@@ -48,9 +49,20 @@ def read_points(path: str) -> list[Constraint]:
     return _read(path, _constraint_of_cells, _constraint_of_control, "kind, x, y, z and radius")
 
 
-def read_vessel(path: str) -> list[tuple[float, ...]]:
-    """Points in a vessel: a table of x, y, z, or control points of any label; raises FileError."""
+def read_places(path: str) -> list[tuple[float, ...]]:
+    """Points of one kind: a table of x, y, z, or control points of any label; raises FileError."""
     return _read(path, _place_of_cells, _place_of_control, "x, y and z")
+
+
+def read_stroke(path: str) -> list[tuple[float, ...]]:
+    """The distinct places of a stroke, which has some; raises FileError."""
+    places: list[tuple[float, ...]] = []
+    for place in read_places(path):  # a closed curve comes back to its first
+        if all(math.dist(place, other) >= SAME_PLACE for other in places):
+            places.append(place)
+    if not places:
+        raise FileError(f"'{path}' holds no points. Draw the stroke, or leave the option out.")
+    return places
 
 
 def arguments_of(constraints: Sequence[Constraint]) -> dict[str, Any]:

@@ -1,0 +1,266 @@
+#include "PointText.h"
+
+#include "Coordinates.h"
+#include "Failure.h"
+#include "OutputFile.h"
+#include "UnreadableFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+namespace Command
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+std::string Trimmed(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// What stands between commas, without quotes around it; empty cells at the end do not count.
+std::vector<std::string> CellsOf(const std::string& line)
+{
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string text; std::getline(stream, text, ',');)
+  {
+    std::string cell = Trimmed(text);
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+    {
+      cell = Trimmed(cell.substr(1, cell.size() - 2));
+    }
+    cells.push_back(cell);
+  }
+  while (!cells.empty() && cells.back().empty())
+  {
+    cells.pop_back();
+  }
+  return cells;
+}
+
+void ReadTable(const std::string& text, const PointReader& reader)
+{
+  std::istringstream file(text);
+  std::string line;
+  bool isFirst = true;
+  for (int number = 1; std::getline(file, line); ++number)
+  {
+    const std::vector<std::string> cells = CellsOf(line);
+    if (cells.empty())
+    {
+      continue;
+    }
+    try
+    {
+      if (!isFirst || !reader.IsHeader(cells))
+      {
+        reader.TakeCells(cells);
+      }
+      isFirst = false;
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure("line " + std::to_string(number) + ": " + failure.what());
+    }
+  }
+}
+
+/// How the coordinates of a list of control points become LPS millimeters.
+struct MarkupsFrame
+{
+  bool IsRAS = false;
+  double Factor = 1;
+  double Divisor = 1; ///< apart from the factor, so that whole micrometers are exact
+};
+
+/// Millimeters per unit, as a factor and a divisor. By UCUM's codes.
+const std::vector<std::pair<std::string, std::array<double, 2>>> LengthUnits{
+  { "nm", { { 1, 1e6 } } },
+  { "um", { { 1, 1e3 } } },
+  { "mm", { { 1, 1 } } },
+  { "cm", { { 10, 1 } } },
+  { "dm", { { 100, 1 } } },
+  { "m", { { 1000, 1 } } },
+  { "[in_i]", { { 25.4, 1 } } },
+};
+
+MarkupsFrame FrameOf(const Json& list)
+{
+  MarkupsFrame frame;
+  // Files before version 1.0.1 have a number: 0 for RAS.
+  const Json system = list.value("coordinateSystem", Json("LPS"));
+  const std::string name = system.is_string() ? system.get<std::string>() : system.dump();
+  frame.IsRAS = name == "RAS" || name == "0";
+  if (!frame.IsRAS && name != "LPS" && name != "1")
+  {
+    throw Failure("the coordinate system is " + system.dump() + "; it can be LPS or RAS");
+  }
+  // From version 1.0.4 on, the code is the first word of a coded entry.
+  Json unit = list.value("coordinateUnits", Json("mm"));
+  unit = unit.is_array() && !unit.empty() ? unit.front() : unit;
+  const auto found = std::find_if(LengthUnits.begin(), LengthUnits.end(),
+    [&unit](const auto& known) { return unit == known.first; });
+  if (found == LengthUnits.end())
+  {
+    throw Failure(
+      "the unit of coordinates is " + unit.dump() + "; it can be nm, um, mm, cm, dm, m or [in_i]");
+  }
+  frame.Factor = found->second[0];
+  frame.Divisor = found->second[1];
+  return frame;
+}
+
+/// 3D Slicer also saves points that are yet to be placed, with or without a position.
+bool IsPlaced(const Json& control)
+{
+  const Json& position = control.at("position");
+  const bool isEmpty = position.is_string() && position.get<std::string>().empty();
+  return control.value("positionStatus", Json("defined")) == "defined" && !isEmpty;
+}
+
+std::array<double, 3> PlaceOf(const Json& control, const MarkupsFrame& frame)
+{
+  const auto& position = control.at("position").get_ref<const Json::array_t&>();
+  if (position.size() != 3 ||
+    !std::all_of(position.begin(), position.end(), [](const Json& x) { return x.is_number(); }))
+  {
+    throw Failure("its position is not three numbers");
+  }
+  std::array<double, 3> place;
+  std::transform(position.begin(), position.end(), place.begin(),
+    [&frame](const Json& x) { return x.get<double>() * frame.Factor / frame.Divisor; });
+  return frame.IsRAS ? SwapLpsRas(place) : place;
+}
+
+void ReadMarkups(const std::string& text, const PointReader& reader)
+{
+  const Json content = Json::parse(text);
+  for (const Json& list : content.at("markups").get_ref<const Json::array_t&>())
+  {
+    const MarkupsFrame frame = FrameOf(list);
+    int number = 0;
+    for (const Json& control : list.at("controlPoints").get_ref<const Json::array_t&>())
+    {
+      ++number;
+      if (!IsPlaced(control))
+      {
+        continue;
+      }
+      const std::string label = control.value("label", Json("")).get<std::string>();
+      try
+      {
+        reader.TakeControl(label, PlaceOf(control, frame));
+      }
+      catch (const Failure& failure)
+      {
+        throw Failure("control point " +
+          (label.empty() ? std::to_string(number) : Json(label).dump()) + ": " + failure.what());
+      }
+    }
+  }
+}
+
+bool IsText(const std::string& text)
+{
+  try
+  {
+    Json(text).dump(); // which takes no other bytes than UTF-8
+  }
+  catch (const Json::exception&)
+  {
+    return false;
+  }
+  return text.find('\0') == std::string::npos;
+}
+
+/// Without the mark that some programs put in front of UTF-8.
+std::string TextOf(const std::string& name)
+{
+  const std::ifstream file(name, std::ios::binary);
+  std::ostringstream content;
+  std::error_code ignored;
+  const bool isFile = file && !std::filesystem::is_directory(name, ignored);
+  if (isFile)
+  {
+    content << file.rdbuf();
+  }
+  if (!isFile || content.bad())
+  {
+    throw UnreadableFile(name);
+  }
+  const std::string text = content.str();
+  if (!IsText(text))
+  {
+    throw Failure("'" + name + "' is not UTF-8 text. Save it as UTF-8.");
+  }
+  return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
+}
+
+} // namespace
+
+const std::vector<std::string>& PointEndings()
+{
+  static const std::vector<std::string> endings{ ".csv", ".mrk.json" };
+  return endings;
+}
+
+void ReadPointText(const std::string& name, const PointReader& reader)
+{
+  const std::string text = TextOf(name);
+  try
+  {
+    HasEnding(name, { ".csv" }) ? ReadTable(text, reader) : ReadMarkups(text, reader);
+  }
+  catch (const Json::exception&)
+  {
+    throw Failure("'" + name +
+      "' does not hold markups of 3D Slicer. Give a file of control points that it has saved, or "
+      "a table (.csv) with the columns " +
+      reader.Columns + ".");
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + name + "', " + failure.what() + ".");
+  }
+}
+
+bool AreColumns(const std::vector<std::string>& cells, const std::vector<std::string>& names)
+{
+  return std::equal(cells.begin(), cells.end(), names.begin(), names.end(),
+    [](const std::string& cell, const std::string& column) { return Lower(cell) == column; });
+}
+
+// Decimal, as tables and markups have them; other programs read no hexadecimal ones either.
+double PointNumberOf(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos ||
+    end != text.c_str() + text.size() || !std::isfinite(number))
+  {
+    throw Failure("'" + text + "' is not a number");
+  }
+  return number;
+}
+
+std::string Lower(std::string word)
+{
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return word;
+}
+
+} // namespace Command
