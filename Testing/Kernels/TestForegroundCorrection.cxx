@@ -521,6 +521,46 @@ TEST(ForegroundCorrection, OnePointInALeakTakesTheLeak)
   EXPECT_EQ(lost.Count(), 0U);
 }
 
+// The organ is the end of a tube; the rest, a little brighter, is as wide, so no neck parts it.
+TEST(ForegroundCorrection, OnePointInALeakWithoutANeckTakesWhatIsNearer)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 101, 25, 25 } };
+  geometry.Spacing.setConstant(2);
+  geometry.Origin = { -100, -24, -24 };
+  std::vector<float> voxels(geometry.NumberOfVoxels(), 0.0F);
+  BitMask tube(geometry);
+  std::mt19937 random(5);
+  for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, geometry);
+    const Eigen::Vector3d at = geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+    if (std::hypot(at[1], at[2]) <= 16)
+    {
+      voxels[voxel] =
+        static_cast<float>((at[0] < -8 ? 100 : 112) + static_cast<int>(random() % 9));
+      tube.Insert(index[0], index[1], index[2]);
+    }
+  }
+  const BitMask candidate;
+  const std::vector<OtherPart> others;
+  const ImageView<float> view{ voxels.data(), geometry };
+  const ForegroundImage image{ view, ReaderOf(view), [](const VoxelBox&) { return true; }, 2,
+    Modality::CT, candidate, others };
+  BitMask corrected = tube;
+  EXPECT_TRUE(CorrectForeground(image, { { -80, 0, 0 }, 8 },
+    { { ConstraintKind::Outside, { 45, 0, 0 }, 0 } }, SerialFor, NeverStop, corrected));
+  const auto isAt = [&](double x)
+  {
+    const std::array<int, 3> voxel = NearestVoxel(geometry, { x, 0, 0 });
+    return corrected(voxel[0], voxel[1], voxel[2]);
+  };
+  EXPECT_TRUE(isAt(-90));
+  EXPECT_TRUE(isAt(-12));
+  EXPECT_FALSE(isAt(-4));
+  EXPECT_FALSE(isAt(98));
+}
+
 // Whatever the points: an inside point removes nothing, an outside point adds nothing, and the
 // order means nothing.
 TEST(ForegroundCorrection, IsMonotoneInItsPoints)

@@ -27,6 +27,9 @@ constexpr double WorthOfPart = 0.7;
 // A point lies on top of a part if it is so deep in it, of the part's depth.
 constexpr double OnTopOfLeak = 0.6;
 constexpr double OnTopOfMissedPart = 0.5;
+// A point is deeper than the organ may be if it is so deep in the mask, in radii of the seed.
+constexpr double DeepInSeedRadii = 1.3;
+
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
 // sheets may go all around the organ.
 constexpr double OpeningPart = 0.5;
@@ -237,7 +240,12 @@ private:
       {
         return false;
       }
-      this->Propose(this->Leaks->PartAround(own, {}, OnTopOfLeak), *this->Leaks, correction);
+      const std::vector<std::size_t> part = this->Leaks->PartAround(own, {}, OnTopOfLeak);
+      if (part.empty() && correction.Away > DeepInSeedRadii * this->Known.Seed.Radius)
+      {
+        this->FreeWhatIsNearer(correction);
+      }
+      this->Propose(part, *this->Leaks, correction);
       return true;
     }
     if (!this->Missed && !this->FindMissed())
@@ -256,6 +264,25 @@ private:
     }
     this->Propose(this->OpenedPart, *this->Missed, correction);
     return true;
+  }
+
+  // A leak as deep as the organ has no neck before it: what is nearer to the point than to the
+  // organ may leave. The cut finds the edge.
+  void FreeWhatIsNearer(const PointCorrection& correction)
+  {
+    for (std::size_t block = 0; block < this->IsIn.size(); ++block)
+    {
+      const Eigen::Vector3d place = this->Grid.CenterOf(block);
+      const double away = (place - correction.Point).norm();
+      const bool isNearer =
+        away < (place - this->Known.Seed.Center).norm() - this->Known.Seed.Radius &&
+        std::all_of(correction.Opposite.begin(), correction.Opposite.end(),
+          [&](const Eigen::Vector3d& inside) { return away < (place - inside).norm(); });
+      if (this->IsIn[block] && isNearer && !correction.IsHeld(place))
+      {
+        this->Worth[block] = std::max(this->Worth[block], 0.0F);
+      }
+    }
   }
 
   // At the place of parts of other opinions: the most doubtful one. Which one that is must not

@@ -22,7 +22,8 @@ constexpr double CertainBall = 3;
 
 // How far a point changes its surroundings: in millimeters, in distances from its side, and in
 // radii of a ball of the foreground's volume.
-constexpr double LeastDomain = 30;
+constexpr double LeastDomainInside = 14;
+constexpr double LeastDomainOutside = 30;
 constexpr double DomainInAway = 2;
 constexpr double DomainInOrganRadii = 2;
 constexpr double LeastDomainInAway = 1.25;
@@ -97,7 +98,8 @@ public:
         correction.NearestOnSide = nearest.Center;
       }
       correction.Domain = std::min(greatestDomain,
-        std::max(LeastDomain, DomainInAway * std::max(correction.Away, correction.Radius)));
+        std::max(correction.IsInside ? LeastDomainInside : LeastDomainOutside,
+          DomainInAway * std::max(correction.Away, correction.Radius)));
       correction.Domain = std::max(correction.Domain, LeastDomainInAway * correction.Away);
     }
   }
