@@ -521,7 +521,7 @@ TEST(ForegroundCorrection, OnePointInALeakTakesTheLeak)
   EXPECT_EQ(lost.Count(), 0U);
 }
 
-// The organ is the end of a tube; the rest, a little brighter, is as wide, so no neck parts it.
+// The organ is the end of a tube; the rest, a little brighter, is wider, so no neck parts it.
 TEST(ForegroundCorrection, OnePointInALeakWithoutANeckTakesWhatIsNearer)
 {
   ImageGeometry geometry;
@@ -535,10 +535,9 @@ TEST(ForegroundCorrection, OnePointInALeakWithoutANeckTakesWhatIsNearer)
   {
     const std::array<int, 3> index = IndexOf(voxel, geometry);
     const Eigen::Vector3d at = geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
-    if (std::hypot(at[1], at[2]) <= 16)
+    if (std::hypot(at[1], at[2]) <= (at[0] < -8 ? 10 : 16))
     {
-      voxels[voxel] =
-        static_cast<float>((at[0] < -8 ? 100 : 112) + static_cast<int>(random() % 9));
+      voxels[voxel] = static_cast<float>((at[0] < -8 ? 100 : 112) + static_cast<int>(random() % 9));
       tube.Insert(index[0], index[1], index[2]);
     }
   }

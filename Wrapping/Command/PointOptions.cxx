@@ -51,8 +51,7 @@ void PointOptions::AddOptions(CLI::App& command, const std::string& what)
   addPoint("boundary", "A point on the " + what + "'s boundary, likewise");
   add("inside-stroke", this->Strokes, "FILE", 1,
     "A stroke of points inside: a table (.csv: x, y, z) or a curve of 3D Slicer (.mrk.json); can "
-    "be "
-    "repeated");
+    "be repeated");
   add("outside-stroke", this->Strokes, "FILE", 1, "A stroke of points outside, likewise");
   command
     .add_option("--points", this->PointsIn,

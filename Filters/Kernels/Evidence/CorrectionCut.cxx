@@ -27,8 +27,9 @@ constexpr double WorthOfPart = 0.7;
 // A point lies on top of a part if it is so deep in it, of the part's depth.
 constexpr double OnTopOfLeak = 0.6;
 constexpr double OnTopOfMissedPart = 0.5;
-// A point is deeper than the organ may be if it is so deep in the mask, in radii of the seed.
-constexpr double DeepInSeedRadii = 1.3;
+// A point is as deep as the organ if it is so deep in the mask, in radii of the ball around the
+// seed.
+constexpr double DeepInOrganRadii = 1.3;
 
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
 // sheets may go all around the organ.
@@ -54,6 +55,7 @@ public:
     , Parallel(parallelFor)
     , Ask(monitor)
     , Grid(CorrectionGrid(evidence.Before, evidence.Seed))
+    , Ball(BallInside(evidence.Before, evidence.Seed))
     , Similarity(evidence.Noise, evidence.Kind)
     , Smooth(SmoothBlockMeans(evidence.Image, Grid, parallelFor))
     , Fill(Grid.CountVoxels(evidence.Before, parallelFor))
@@ -138,10 +140,15 @@ private:
           { return (voxel.Center - correction.Point).norm() > correction.Away; });
   }
 
+  PointWorth WorthOf(const PointCorrection& correction) const
+  {
+    return { this->Known.Image, this->Grid.Voxels, correction, this->Similarity,
+      { this->OfSeed, this->StatisticsOfOrganBeside(correction) } };
+  }
+
   bool ProposeSurroundings(const PointCorrection& correction)
   {
-    const PointWorth worth(this->Known.Image, this->Grid.Voxels, correction, this->Similarity,
-      { this->OfSeed, this->StatisticsOfOrganBeside(correction) });
+    const PointWorth worth = this->WorthOf(correction);
     std::vector<std::size_t> gaining;
     for (const std::size_t block :
       VoxelsAround(this->Grid.Blocks, { correction.Point, correction.Domain }))
@@ -241,7 +248,7 @@ private:
         return false;
       }
       const std::vector<std::size_t> part = this->Leaks->PartAround(own, {}, OnTopOfLeak);
-      if (part.empty() && correction.Away > DeepInSeedRadii * this->Known.Seed.Radius)
+      if (part.empty() && correction.Away > DeepInOrganRadii * this->Ball.Radius)
       {
         this->FreeWhatIsNearer(correction);
       }
@@ -267,9 +274,11 @@ private:
   }
 
   // A leak as deep as the organ has no neck before it: what is nearer to the point than to the
-  // organ may leave. The cut finds the edge.
+  // organ may leave, but for what looks like the organ rather than like the point. The cut finds
+  // the edge.
   void FreeWhatIsNearer(const PointCorrection& correction)
   {
+    const PointWorth worth = this->WorthOf(correction);
     for (std::size_t block = 0; block < this->IsIn.size(); ++block)
     {
       const Eigen::Vector3d place = this->Grid.CenterOf(block);
@@ -280,7 +289,8 @@ private:
           [&](const Eigen::Vector3d& inside) { return away < (place - inside).norm(); });
       if (this->IsIn[block] && isNearer && !correction.IsHeld(place))
       {
-        this->Worth[block] = std::max(this->Worth[block], 0.0F);
+        const auto gain = static_cast<float>(std::min(0.0, worth.OutsideOf(this->Smooth[block])));
+        this->Worth[block] = std::max(this->Worth[block], gain);
       }
     }
   }
@@ -424,8 +434,7 @@ private:
   {
     const BlockNodes nodes(this->Worth.size(),
       [this](std::size_t block) { return this->Worth[block] > Stays; });
-    const SeedSphere ball = BallInside(this->Known.Before, this->Known.Seed);
-    const BlockLinks links = RegionLinks(Smoothness, ball.Radius, this->SpreadIn(ball));
+    const BlockLinks links = RegionLinks(Smoothness, this->Ball.Radius, this->SpreadIn(this->Ball));
     RegionCut cut(MakeBlockNetwork(
                     this->Grid.Blocks, nodes, this->Smooth, links,
                     [this](std::size_t block)
@@ -491,6 +500,7 @@ private:
   const ParallelFor& Parallel;
   const Monitor& Ask;
   const BlockGrid Grid;
+  const SeedSphere Ball; // around the seed
   const GrayValueSimilarity Similarity;
 
   // Of the blocks.

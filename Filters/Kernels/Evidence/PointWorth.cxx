@@ -103,17 +103,22 @@ bool PointWorth::IsCertain(const Eigen::Vector3d& place) const
 double PointWorth::Of(double value, const Eigen::Vector3d& place) const
 {
   const double away = (place - this->Wanted.Point).norm();
-  const double likeOrgan = this->Similarity.LikenessOf(value, this->Organ.OfOrgan);
   const double loss = this->Decay * Beyond(away, this->Reach);
   if (this->Wanted.IsInside)
   {
     return std::max(InsideGain * this->Similarity.LikenessOf(value, this->AsVaried) - loss,
-      InsideGain * likeOrgan - DecayOfNearPoint * Beyond(away, this->OrganReach));
+      InsideGain * this->Similarity.LikenessOf(value, this->Organ.OfOrgan) -
+        DecayOfNearPoint * Beyond(away, this->OrganReach));
   }
+  return this->OutsideOf(value) - loss;
+}
+
+double PointWorth::OutsideOf(double value) const
+{
   return OutsideGain *
     (this->Similarity.LikenessOf(value, this->NotVaried) -
-      std::max(likeOrgan, this->Similarity.LikenessOf(value, this->Organ.OfSeed))) -
-    loss;
+      std::max(this->Similarity.LikenessOf(value, this->Organ.OfOrgan),
+        this->Similarity.LikenessOf(value, this->Organ.OfSeed)));
 }
 
 } // namespace FlipFree

@@ -33,6 +33,8 @@ public:
   bool IsCertain(const Eigen::Vector3d& place) const;
   /// Per mm3, of a gray value at a place.
   double Of(double value, const Eigen::Vector3d& place) const;
+  /// The same of an outside point, however far away it is, by the gray value alone.
+  double OutsideOf(double value) const;
 
 private:
   double ReachOfOrgan(const ImagePart& image, const ImageGeometry& voxels) const;
