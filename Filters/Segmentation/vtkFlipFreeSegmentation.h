@@ -212,11 +212,11 @@ public:
    * What one more inside or outside point would change in the result, in milliliters: the part of
    * the organ, or of a leak, that the next Update() would add or take. The surface follows it as
    * far as it can. `changed`, unless it is null, becomes an image of the voxels that change sides:
-   * scalars `Changed` (unsigned char, 1 where they do), with the geometry of the input, and only
-   * the extent that holds them; without voxels if there are none. Runs nothing, so it keeps up with
-   * a mouse. Returns -1, with no error, where this is not known: before the first Update(), without
-   * KeepForCorrections or Carving, and for a point that lies beyond what the surface can reach or
-   * that Update() would refuse.
+   * scalars `Changed` (unsigned char, 1 where they do), cut out of the input's grid; without voxels
+   * if there are none. No surface is deformed, so it takes some hundredths of a second, and longer
+   * where more of the image has to be smoothed. Returns -1, with no error, where this is not known:
+   * before the first Update(), without KeepForCorrections or Carving, and for a point that lies
+   * beyond the region of the last Update() or that Update() would refuse.
    */
   double PreviewInsidePoint(double x, double y, double z, vtkImageData* changed);
   double PreviewOutsidePoint(double x, double y, double z, vtkImageData* changed);

@@ -96,9 +96,9 @@ double vtkFlipFreeSegmentation::Preview(const FlipFree::PointConstraint& constra
       runs = this->State->Runs.Preview(constraint, FlipFree::NeverStop);
     }
   }
-  catch (const FlipFree::Error&) // Update() would report it
+  catch (const FlipFree::Error&)
   {
-    runs.reset();
+    // Update() would report it.
   }
   if (changed)
   {

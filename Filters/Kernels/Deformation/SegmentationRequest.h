@@ -60,8 +60,8 @@ public:
     const IterationObserver& observer);
 
   /// The voxels that would change sides by one more inside or outside point than the last run's;
-  /// the surface follows them as far as it can. Runs nothing: it takes as long as a frame. None
-  /// before the first run, without carving, and for points beyond what the last run has smoothed.
+  /// the surface follows them as far as it can. No surface is deformed. None before the first run,
+  /// without carving, and for points beyond the region of the last run.
   /// Throws as Answer() does for a point that cannot be used.
   std::optional<std::vector<VoxelRun>> Preview(const PointConstraint& point,
     const Monitor& monitor);

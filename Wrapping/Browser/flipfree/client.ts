@@ -134,7 +134,7 @@ export class FlipFree {
   }
 
   /** What one more inside or outside point would change in the organ of the last call of `segment`; the surface follows as
-   * far as it can. It runs nothing, so it takes as long as a frame. Null where what is kept of that call does not tell: it was
+   * far as it can. No surface is deformed, so it is much faster. Null where what is kept of that call does not tell: it was
    * stopped or without carving, or the point lies beyond what the surface can reach. Rejects for a point that `segment` would
    * refuse. */
   preview(point: PreviewPoint): Promise<Preview | null> {
