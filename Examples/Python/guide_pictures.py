@@ -13,6 +13,9 @@ from pathlib import Path
 import flipfree
 import inputs
 import scene
+from corrections import INSIDE, Corrections
+from three_views import letter_at
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
 
 # Some of the settings are bad on purpose.
@@ -54,6 +57,7 @@ SURFACES = {
         ("1, the default", {}),
         ("fairing=1", {"fairing": 1})],
 }
+NAMES = [*PICTURES, *SURFACES, "question"]
 
 
 def truth_of(label):
@@ -104,18 +108,50 @@ def draw_surfaces(path, label, views):
     scene.write_picture(path, [row], size=340)
 
 
+def draw_question(path):
+    """The liver as it is found, what its first question asks about, and the liver by the answer."""
+    image, truth = PHANTOM.GetOutput(), truth_of(LIVER)
+    asked = Corrections(image, *inputs.seed_in(PHANTOM, LIVER))
+    question = asked.questions()[0]
+    row = []
+
+    def show(caption, *marks):
+        surface = vtkPolyData()
+        surface.DeepCopy(asked.surface)  # which the answer changes
+        contours = [scene.contour_actor(truth, question.place, scene.AXIAL, scene.BLUE, 3.2),
+                    scene.contour_actor(surface, question.place, scene.AXIAL, scene.YELLOW, 1.6)]
+        scores = flipfree.evaluate(asked.filter.GetLabelMap(), PHANTOM.GetLabelMap(),
+                                   reference_label=LIVER)
+        caption = f"{caption}: Dice {scores.dice:.3f}"
+        print(f"{path.stem}: {caption}")
+        picture = scene.slice_actor(image, question.place, scene.AXIAL)
+        row.append(scene.slice_view([picture, *marks, *contours], truth, scene.AXIAL, caption))
+
+    show("as found")
+    part = vtkImageData()
+    asked.preview(INSIDE, question.place, part)
+    show(f"are these {question.volume:.0f} ml liver?",
+         scene.mask_actor(part, question.place, scene.AXIAL, (0.3, 0.8, 0.35)),
+         letter_at(question.place, "?", (1, 1, 1)))
+    asked.do(INSIDE, [question.place])
+    show("yes")
+    scene.write_picture(path, [row], size=440)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, help="where the pictures go")
-    parser.add_argument("--only", choices=[*PICTURES, *SURFACES], action="append")
+    parser.add_argument("--only", choices=NAMES, action="append")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    for name in arguments.only or [*PICTURES, *SURFACES]:
+    for name in arguments.only or NAMES:
         path = arguments.folder / f"{name}.png"
         if name in PICTURES:
             draw_slices(path, *PICTURES[name])
-        else:
+        elif name in SURFACES:
             draw_surfaces(path, LIVER, SURFACES[name])
+        else:
+            draw_question(path)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ class ThreeViews:
                 distance = abs(place[_axis(plane)] - self.place[_axis(plane)])
                 views += [renderer] if distance < max(reach, BALL_RADIUS) else []
             # A letter knows only one view's coordinates.
-            shown += [(view, _letter(letter, place, color) if letter else _ball(place, color))
+            shown += [(view, letter_at(place, letter, color) if letter else _ball(place, color))
                       for view in views]
         self._show("marks", shown)
 
@@ -116,7 +116,7 @@ def _ball(place, color):
     return actor
 
 
-def _letter(letter, place, color):
+def letter_at(place, letter, color):
     """Nothing hides it."""
     actor = scene.text_actor(letter, color, 26)
     actor.GetPositionCoordinate().SetCoordinateSystemToWorld()

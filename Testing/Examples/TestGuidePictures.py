@@ -19,7 +19,7 @@ class TestGuidePictures(unittest.TestCase):
             [sys.executable, os.path.join(EXAMPLES, "Python", "guide_pictures.py"), FOLDER],
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.assertEqual((process.returncode, process.stderr), (0, ""))
-        for name in ("seed", "leak", "mass", "search", "resolution", "shape"):
+        for name in ("seed", "leak", "mass", "search", "resolution", "shape", "question"):
             # An empty view compresses to next to nothing.
             self.assertGreater(os.path.getsize(os.path.join(FOLDER, f"{name}.png")), 12000)
         for pattern in (r"seed: deep in the organ: Dice 0\.9",
@@ -27,7 +27,8 @@ class TestGuidePictures(unittest.TestCase):
                         r"search: search_distance=5: Dice 0\.[0-4]",
                         r"search: [^\n]*the default: Dice 0\.9",
                         r"resolution: [^\n]*levels=5: Dice 0\.9",
-                        r"shape: 1, the default: Dice 0\.9"):
+                        r"shape: 1, the default: Dice 0\.9",
+                        r"question: are these [0-9]+ ml liver\?: Dice 0\.9"):
             self.assertRegex(process.stdout, pattern)
 
 

@@ -208,7 +208,7 @@ TEST(Corrections, OfDeepPlacesFarApartDoNotDisturbEachOther)
     EXPECT_EQ(WindingNumber(alone.Points, alone.Mesh.Triangles, 2 * center - one.Point), 0);
     const double motion = MeanMotion(both, alone, 500,
       [&](const Eigen::Vector3d& at) { return (at - center).dot(one.Point - center) > 0; });
-    EXPECT_LT(motion, 0.05) << NameOf(one);
+    EXPECT_LT(motion, 0.5) << NameOf(one); // a quarter of a voxel
   }
   EXPECT_EQ(run(*segmenter(), { right, left }).Points, both.Points);
 }

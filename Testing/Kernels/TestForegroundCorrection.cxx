@@ -87,7 +87,7 @@ struct BallImage
   {
     const ImageView<float> view{ this->Voxels.data(), this->Geometry };
     return { view, ReaderOf(view), [](const VoxelBox&) { return true; }, 2, Modality::CT,
-      this->Candidate, this->Others };
+      this->Candidate, this->Others, nullptr };
   }
 
   bool IsAt(const BitMask& mask, double x, double y, double z) const
@@ -545,7 +545,7 @@ TEST(ForegroundCorrection, OnePointInALeakWithoutANeckTakesWhatIsNearer)
   const std::vector<OtherPart> others;
   const ImageView<float> view{ voxels.data(), geometry };
   const ForegroundImage image{ view, ReaderOf(view), [](const VoxelBox&) { return true; }, 2,
-    Modality::CT, candidate, others };
+    Modality::CT, candidate, others, nullptr };
   BitMask corrected = tube;
   EXPECT_TRUE(CorrectForeground(image, { { -80, 0, 0 }, 8 },
     { { ConstraintKind::Outside, { 45, 0, 0 }, 0 } }, SerialFor, NeverStop, corrected));

@@ -67,45 +67,34 @@ TEST(UnchangedPlaces, TellDeepPartsFromLayers)
   const BitMask layer = Block({ { { 10, 36, 10 } }, { { 40, 40, 30 } } });
   after.Unite(finger);
   after.Remove(layer);
-  std::vector<BitMask> deep;
-  ASSERT_TRUE(FindDeepParts(before, after, 8, SerialFor, NeverStop, deep));
-  EXPECT_EQ(deep, std::vector<BitMask>{ finger });
-  ASSERT_TRUE(FindDeepParts(after, before, 8, SerialFor, NeverStop, deep));
-  EXPECT_EQ(deep, std::vector<BitMask>{ finger });
-  ASSERT_TRUE(FindDeepParts(before, before, 8, SerialFor, NeverStop, deep));
-  EXPECT_TRUE(deep.empty());
+  BitMask deep;
+  ASSERT_TRUE(FindDeepChange(before, after, 8, SerialFor, NeverStop, deep));
+  EXPECT_EQ(deep, finger);
+  ASSERT_TRUE(FindDeepChange(after, before, 8, SerialFor, NeverStop, deep));
+  EXPECT_EQ(deep, finger);
+  ASSERT_TRUE(FindDeepChange(before, before, 8, SerialFor, NeverStop, deep));
+  EXPECT_EQ(deep.Count(), 0U);
   BitMask both = finger;
   both.Unite(layer);
   EXPECT_EQ(DifferenceOf(before, after), both);
-  EXPECT_FALSE(FindDeepParts(
+  EXPECT_FALSE(FindDeepChange(
     before, after, 8, SerialFor, [](double) { return false; }, deep));
 }
 
-// Two fingers at 32 mm are two parts, whichever is found first; one between them makes all one.
-TEST(UnchangedPlaces, TellDeepPartsApartThatAreFarFromEachOther)
+TEST(UnchangedPlaces, FindAllDeepParts)
 {
   const BitMask before = Block({ { { 0, 0, 0 } }, { { 10, 60, 50 } } });
   const BitMask low = Block({ { { 10, 2, 2 } }, { { 30, 8, 4 } } });
   const BitMask high = Block({ { { 10, 41, 2 } }, { { 30, 46, 4 } } });
-  const BitMask between = Block({ { { 10, 24, 30 } }, { { 30, 28, 32 } } });
   BitMask after = before;
   after.Unite(low);
   after.Unite(high);
-  std::vector<BitMask> deep;
-  ASSERT_TRUE(FindDeepParts(before, after, 8, SerialFor, NeverStop, deep));
-  ASSERT_EQ(deep.size(), 2U);
-  EXPECT_TRUE((deep[0] == low && deep[1] == high) || (deep[0] == high && deep[1] == low));
-  const BitMask narrow = Block({ { { 10, 20, 2 } }, { { 30, 24, 4 } } });
-  after.Unite(narrow);
-  ASSERT_TRUE(FindDeepParts(before, after, 8, SerialFor, NeverStop, deep));
+  after.Unite(Block({ { { 10, 20, 30 } }, { { 13, 30, 40 } } })); // a flat one
+  BitMask deep;
+  ASSERT_TRUE(FindDeepChange(before, after, 8, SerialFor, NeverStop, deep));
   BitMask all = low;
   all.Unite(high);
-  all.Unite(narrow);
-  EXPECT_EQ(deep, std::vector<BitMask>{ all });
-  after.Remove(narrow);
-  after.Unite(between); // 52 mm away along the third axis
-  ASSERT_TRUE(FindDeepParts(before, after, 8, SerialFor, NeverStop, deep));
-  EXPECT_EQ(deep.size(), 3U);
+  EXPECT_EQ(deep, all);
 }
 
 TEST(UnchangedPlaces, AreNearestOnTheSurface)

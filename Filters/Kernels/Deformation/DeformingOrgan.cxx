@@ -45,6 +45,7 @@ DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSph
   , Voxel(region.View().Geometry.Spacing.maxCoeff())
   , Foreground(region, this->Seed, this->Settings.Feature,
       2 * EdgeWindowOf(settings.Targets, region.View().Geometry), parallelFor)
+  , NewTissue(region, noise, this->Settings.Feature, parallelFor)
   , OrganRadius(seed.Radius)
 {
 }
@@ -146,7 +147,7 @@ bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const 
   }
   const ForegroundImage image{ this->Foreground.GetImage(), this->Foreground.GetReader(),
     [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); }, this->Noise,
-    this->Foreground.GetModality(), this->Candidate, this->Others };
+    this->Foreground.GetModality(), this->Candidate, this->Others, &this->NewTissue };
   BitMask mask = this->Foreground.TakeMask();
   const bool done =
     FlipFree::CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, mask);
@@ -173,8 +174,8 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
   {
     this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
   }
-  this->Ends.clear();
-  this->Mobile.reset();
+  this->End = nullptr;
+  this->Mobility.resize(0);
   this->Enforcer.reset();
   if (!constraints.empty())
   {
@@ -186,8 +187,7 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
 
 void DeformingOrgan::StayIn(const UnchangedPlaces& places)
 {
-  this->Mobile.emplace(Eigen::VectorXd::Ones(this->Surface.Points.rows()) -
-    places.WeightsOf(this->Surface.Points, this->Parallel));
+  this->Mobility = 1 - places.WeightsOf(this->Surface.Points, this->Parallel).array();
 }
 
 void DeformingOrgan::BeginLevel(int level)
@@ -196,10 +196,6 @@ void DeformingOrgan::BeginLevel(int level)
   this->Surface.Reason = StopReason::NotRun;
   this->Distances.clear();
   this->Matched.clear();
-  if (this->Mobile)
-  {
-    this->Mobile->BeginLevel(this->Surface.Mesh);
-  }
   this->Hulls.reset();
   if (this->Enforcer)
   {
@@ -242,12 +238,28 @@ PointList DeformingOrgan::FindMotion()
       return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
         this->Surface.Field, this->Record.Step);
     });
-  if (this->Mobile)
+  if (this->Mobility.size() > 0)
   {
-    this->Record.Targets.MeanDistance = this->Mobile->MeasureDistances(this->Surface.Field);
-    this->Mobile->Restrict(motion);
+    this->Record.Targets.MeanDistance = this->MeanDistanceOfMobile();
+    motion = this->Mobility.asDiagonal() * motion;
   }
   return motion;
+}
+
+// Vertices that stay would hide that others are not at rest.
+double DeformingOrgan::MeanDistanceOfMobile() const
+{
+  double sum = 0;
+  double count = 0;
+  for (Eigen::Index vertex = 0; vertex < this->Mobility.size(); ++vertex)
+  {
+    if (this->Surface.Field.States[vertex] != VertexState::Solitary)
+    {
+      sum += this->Mobility[vertex] * this->Surface.Field.Displacements.row(vertex).norm();
+      count += this->Mobility[vertex];
+    }
+  }
+  return count > 0 ? sum / count : 0;
 }
 
 void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
@@ -259,10 +271,6 @@ void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
   this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
   this->Distances.push_back(this->Record.Targets.MeanDistance);
   this->Matched.push_back(this->Record.Targets.Matched);
-  if (this->Mobile)
-  {
-    this->Mobile->FindThoseAtRest(this->Settings.Schedule, this->Voxel);
-  }
   this->Surface.Reason = this->ReasonToEndLevel();
 }
 
@@ -273,17 +281,12 @@ bool DeformingOrgan::IsGrowing() const
   return this->Matched.back() - before > Growth * this->Surface.Mesh.NumberOfPoints();
 }
 
-// NotRun: the level goes on. Where only some vertices may move, it ends once all their components
-// are at rest; otherwise once the surface as a whole is.
+// NotRun: the level goes on.
 StopReason DeformingOrgan::ReasonToEndLevel() const
 {
   if (this->Matched.back() == 0)
   {
     return StopReason::NoBoundaryFound;
-  }
-  if (this->Mobile)
-  {
-    return this->Mobile->AreAllAtRest() ? StopReason::AtRest : StopReason::NotRun;
   }
   const StopReason reason = this->Settings.Schedule.ReasonToStop(this->Distances, this->Voxel);
   return reason == StopReason::AtRest && this->IsGrowing() ? StopReason::NotRun : reason;
@@ -312,14 +315,11 @@ void DeformingOrgan::UpdateObstacles()
 bool DeformingOrgan::FinishConstraints(bool isLast, const GuardedStep& step, const Monitor& monitor)
 {
   OrganSurface& surface = this->Surface;
-  for (const EndSurface& end : this->Ends)
+  if (isLast && this->End &&
+    !Attract(*this->End, this->EndPlaces->WeightsOf(surface.Points, this->Parallel),
+      this->GetObstacles(), step, this->Parallel, monitor, surface.Points))
   {
-    if (isLast &&
-      !Attract(*end.Surface, end.WeightsOf(surface.Points), this->GetObstacles(), step,
-        this->Parallel, monitor, surface.Points))
-    {
-      return false;
-    }
+    return false;
   }
   if (!this->Enforcer)
   {
@@ -333,11 +333,19 @@ bool DeformingOrgan::FinishConstraints(bool isLast, const GuardedStep& step, con
       return isLast ? this->Enforcer->Finish(surface.Mesh, hulls, step, monitor, surface.Points)
                     : this->Enforcer->PullBack(surface.Mesh, hulls, step, monitor, surface.Points);
     });
-  if (this->Mobile)
-  {
-    this->Mobile->FreePulled(before, surface.Points, this->Voxel);
-  }
+  this->FreePulled(before);
   return done;
+}
+
+// Vertices that were pulled from one place to another must find the boundary again: they move
+// freely if it was by a quarter of a voxel or more, and more freely than before if by less.
+void DeformingOrgan::FreePulled(const PointList& from)
+{
+  if (this->Mobility.size() > 0)
+  {
+    const Eigen::VectorXd pulled = (this->Surface.Points - from).rowwise().norm() / this->Voxel;
+    this->Mobility = this->Mobility.cwiseMax((4 * pulled).cwiseMin(1));
+  }
 }
 
 } // namespace FlipFree

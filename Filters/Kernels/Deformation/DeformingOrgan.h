@@ -7,11 +7,11 @@
 #define FlipFreeDeformingOrgan_h
 
 #include "Deformation/ConstraintEnforcer.h"
-#include "Deformation/MobileComponents.h"
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
 #include "Deformation/UnchangedPlaces.h"
 #include "Evidence/OtherParts.h"
+#include "Evidence/TissueGrowth.h"
 #include "Intensity/GrowingForeground.h"
 
 #include <memory>
@@ -21,13 +21,6 @@
 
 namespace FlipFree
 {
-
-/// Where a run ends on a surface that is known: one weight per point, 0 to 1.
-struct EndSurface
-{
-  const DeformableSurface* Surface = nullptr;
-  std::function<Eigen::VectorXd(const PointList&)> WeightsOf;
-};
 
 class DeformingOrgan
 {
@@ -71,8 +64,12 @@ public:
   /// an outside point lies in the surface or on it.
   void BeginAt(const DeformableSurface& start, int firstLevel, const ConstraintList& constraints,
     OutsidePoints outside, const IterationObserver& observer);
-  /// The run that has begun ends on these surfaces, which must outlive it, one after the other.
-  void EndOn(std::vector<EndSurface> ends) { this->Ends = std::move(ends); }
+  /// The run that has begun ends on this surface in unchanged places. Both must outlive it.
+  void EndOn(const DeformableSurface& surface, const UnchangedPlaces& places)
+  {
+    this->End = &surface;
+    this->EndPlaces = &places;
+  }
   /// The run that has begun moves nothing in unchanged places.
   void StayIn(const UnchangedPlaces& places);
   void BeginLevel(int level);
@@ -90,7 +87,7 @@ public:
   /// Looks which inside points the surface encloses by now.
   void UpdateObstacles();
   /// Whether there is anything to finish.
-  bool HasConstraints() const { return this->Enforcer.has_value() || !this->Ends.empty(); }
+  bool HasConstraints() const { return this->Enforcer.has_value() || this->End; }
   /// Pulls the surface toward the points that it does not obey yet, or before the last level back
   /// from outside points alone (ConstraintEnforcer.h).
   bool FinishConstraints(bool isLast, const GuardedStep& step, const Monitor& monitor);
@@ -104,6 +101,8 @@ private:
     const Monitor& monitor);
   bool FindForegroundOfSurface(const Monitor& monitor);
   bool SnapsToEdges() const;
+  double MeanDistanceOfMobile() const;
+  void FreePulled(const PointList& from);
   bool IsGrowing() const;
   StopReason ReasonToEndLevel() const;
   template <typename Call>
@@ -119,6 +118,7 @@ private:
   const ParallelFor& Parallel;
   const double Voxel; // the greatest spacing
   GrowingForeground Foreground;
+  TissueGrowth NewTissue;
   IntensityModel OfSeed;
   IntensityModel Model;          // refitted
   double OrganRadius;            // the seed's, until more is known
@@ -130,8 +130,9 @@ private:
   OrganSurface Surface;
   ConstraintList Constraints;
   std::optional<ConstraintEnforcer> Enforcer;
-  std::vector<EndSurface> Ends;
-  std::optional<MobileComponents> Mobile; // none if all may move freely
+  const DeformableSurface* End = nullptr;
+  const UnchangedPlaces* EndPlaces = nullptr;
+  Eigen::VectorXd Mobility; // one per vertex, 0 to 1; empty if all may move freely
   IterationObserver Observe;
   int FirstLevel = 0;
 

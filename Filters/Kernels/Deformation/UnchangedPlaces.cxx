@@ -2,8 +2,6 @@
 
 #include "Geometry/WindingNumber.h"
 #include "Image/DistanceTransform.h"
-#include "Image/SeedRegion.h"
-#include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
@@ -24,30 +22,6 @@ constexpr double Negligible = 1e-3; // millimeters
 
 // What is no farther from the deep of a part than this part of the depth belongs to it.
 constexpr double PartOfDepth = 1.25;
-
-// Until none is near another.
-std::vector<BitMask> UniteNear(std::vector<BitMask> parts)
-{
-  std::vector<BitMask> apart;
-  while (!parts.empty())
-  {
-    BitMask part = std::move(parts.back());
-    parts.pop_back();
-    const VoxelBox box =
-      WidenedBy(part.Bounds(), 2 * UnchangedPlaces::ChangeReach, 1, part.GetGeometry());
-    const auto near = std::find_if(apart.begin(), apart.end(),
-      [&](const BitMask& other) { return !box.Cropped(other.Bounds()).IsEmpty(); });
-    if (near == apart.end())
-    {
-      apart.push_back(std::move(part));
-      continue;
-    }
-    part.Unite(*near);
-    apart.erase(near);
-    parts.push_back(std::move(part));
-  }
-  return apart;
-}
 
 // Keeps the voxels that are farther than a distance from all of another set, or those that are not.
 // False if the monitor stopped it.
@@ -76,44 +50,18 @@ bool KeepByDistance(const BitMask& other, double distance, bool isFarther,
   return true;
 }
 
-// The pieces of a mask that hold voxels of another one. False if the monitor stopped it.
-bool FindPiecesAround(const BitMask& voxels, const BitMask& mask, const Monitor& monitor,
-  std::vector<BitMask>& pieces)
-{
-  std::vector<std::size_t> all;
-  voxels.ForEach([&all](std::size_t voxel) { all.push_back(voxel); });
-  BitMask found(mask.GetGeometry());
-  for (const std::size_t voxel : all)
-  {
-    const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
-    if (found(index[0], index[1], index[2]))
-    {
-      continue;
-    }
-    BitMask piece = mask;
-    if (!KeepConnected(piece, { voxel }, monitor))
-    {
-      return false;
-    }
-    found.Unite(piece);
-    pieces.push_back(std::move(piece));
-  }
-  return true;
-}
-
 } // namespace
 
-bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
-  const ParallelFor& parallelFor, const Monitor& monitor, std::vector<BitMask>& deep)
+bool FindDeepChange(const BitMask& before, const BitMask& after, double depth,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& deep)
 {
-  deep.clear();
   const BitMask changed = DifferenceOf(before, after);
-  const ImageGeometry& whole = changed.GetGeometry();
+  deep = BitMask(changed.GetGeometry());
   if (changed.Bounds().IsEmpty())
   {
     return true;
   }
-  const VoxelBox box = WidenedBy(changed.Bounds(), depth, 1, whole);
+  const VoxelBox box = WidenedBy(changed.Bounds(), depth, 1, changed.GetGeometry());
   BitMask same = before.Cropped(box);
   same.Intersect(after.Cropped(box));
   BitMask far = changed.Cropped(box);
@@ -121,23 +69,20 @@ bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
   {
     return false;
   }
-  if (far.Count() == 0)
+  std::vector<std::size_t> source;
+  far.ForEach([&source](std::size_t voxel) { source.push_back(voxel); });
+  if (source.empty())
   {
     return true;
   }
   // A sheet that is connected to a deep part does not belong to it: it may go all around an organ.
-  BitMask nearFar = changed.Cropped(box);
-  std::vector<BitMask> parts;
-  if (!KeepByDistance(far, PartOfDepth * depth, false, parallelFor, monitor, nearFar) ||
-    !FindPiecesAround(far, nearFar, monitor, parts))
+  BitMask part = changed.Cropped(box);
+  if (!KeepByDistance(far, PartOfDepth * depth, false, parallelFor, monitor, part) ||
+    !KeepConnected(part, source, monitor))
   {
     return false;
   }
-  for (BitMask& part : UniteNear(std::move(parts)))
-  {
-    deep.emplace_back(whole);
-    deep.back().Insert(part, box.Begin);
-  }
+  deep.Insert(part, box.Begin);
   return true;
 }
 

@@ -16,10 +16,9 @@ namespace FlipFree
 
 /// Of what differs, the parts that reach farther than `depth` millimeters away from what the masks
 /// have in common: leaks that go, and lobes that are added, without what is connected to them
-/// farther away from where they are deep. Parts whose boxes are so near that their surroundings
-/// (UnchangedPlaces::ChangeReach) may overlap are one. Returns false if the monitor stopped it.
-bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
-  const ParallelFor& parallelFor, const Monitor& monitor, std::vector<BitMask>& deep);
+/// farther away from where they are deep. Returns false if the monitor stopped it.
+bool FindDeepChange(const BitMask& before, const BitMask& after, double depth,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& deep);
 
 class UnchangedPlaces
 {

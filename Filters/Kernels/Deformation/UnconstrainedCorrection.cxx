@@ -4,7 +4,6 @@
 #include "Error.h"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,7 +14,7 @@ namespace
 {
 
 // What changes farther away from what stays, in millimeters, changes in a run of all levels.
-constexpr double DeepChange = 15;
+constexpr double DeepDistance = 15;
 
 bool IsNear(const PointConstraint& constraint, const BitMask& voxels)
 {
@@ -42,29 +41,20 @@ std::optional<bool> UnlessUnreachable(const Call& call)
   }
 }
 
-// Iterations count on.
-void Append(const std::vector<IterationRecord>& records, std::vector<IterationRecord>& all)
-{
-  for (IterationRecord record : records)
-  {
-    record.Iteration = static_cast<int>(all.size()) + 1;
-    all.push_back(record);
-  }
-}
-
 } // namespace
 
-// A part of the foreground that constraints change deeply, and those in it. What the surface
-// becomes there depends on nothing else, so that no constraint elsewhere moves it.
-struct UnconstrainedCorrection::DeepPart
+// The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
+// so such parts change in a run of all levels. Kept while further constraints leave them as they
+// are.
+struct UnconstrainedCorrection::DeepChange
 {
   BitMask Voxels;
-  ConstraintList Constraints;
-  PointList Start;           ///< of the runs
-  DeformableSurface Surface; ///< with this part alone
+  ConstraintList Constraints; ///< in the voxels
+  PointList Start;            ///< of the run
+  DeformableSurface Surface;  ///< with these changes alone
   std::vector<IterationRecord> Iterations;
 
-  bool IsSameAs(const DeepPart& other) const
+  bool IsSameAs(const DeepChange& other) const
   {
     return this->Constraints == other.Constraints && this->Start == other.Start &&
       this->Voxels == other.Voxels;
@@ -95,7 +85,7 @@ UnconstrainedCorrection::~UnconstrainedCorrection() = default;
 void UnconstrainedCorrection::Forget()
 {
   this->Surface = {};
-  this->DeepParts.clear();
+  this->Deep.reset();
 }
 
 void UnconstrainedCorrection::Begin(OutsidePoints outside, const RunInputs& inputs)
@@ -104,42 +94,28 @@ void UnconstrainedCorrection::Begin(OutsidePoints outside, const RunInputs& inpu
     inputs.Observer);
 }
 
-// Where the surface cannot be pulled back from an outside point, it keeps off from the start.
-bool UnconstrainedCorrection::RunAllLevelsTo(const std::vector<EndSurface>& ends,
-  const RunInputs& inputs)
+bool UnconstrainedCorrection::RunAllLevels(const RunInputs& inputs)
 {
+  const BitMask& foreground = this->Organ.GetForeground().GetMask();
+  std::optional<UnchangedPlaces> places;
+  if (this->HasSurface() && (!inputs.Constraints.empty() || inputs.Uncorrected != foreground))
+  {
+    places.emplace(DifferenceOf(inputs.Uncorrected, foreground), inputs.Constraints);
+  }
   const std::vector<IterationRecord> before = this->Organ.GetSurface().Iterations;
   const auto run = [&](OutsidePoints outside)
   {
     this->Organ.GetSurface().Iterations = before;
     this->Begin(outside, inputs);
-    this->Organ.EndOn(ends);
+    if (places)
+    {
+      this->Organ.EndOn(this->Surface, *places);
+    }
     return JointDeformation({ &this->Organ }, {}, this->Parallel).Run(inputs.Proceed);
   };
   const std::optional<bool> done =
     UnlessUnreachable([&] { return run(OutsidePoints::InTheLastLevel); });
   return done ? *done : run(OutsidePoints::FromTheStart);
-}
-
-EndSurface UnconstrainedCorrection::SurfaceWhereUnchanged(const ConstraintList& constraints,
-  const BitMask& uncorrected) const
-{
-  const auto places = std::make_shared<const UnchangedPlaces>(
-    DifferenceOf(uncorrected, this->Organ.GetForeground().GetMask()), constraints);
-  return { &this->Surface, [places, &parallel = this->Parallel](const PointList& points) {
-            return places->WeightsOf(points, parallel);
-          } };
-}
-
-bool UnconstrainedCorrection::RunAllLevels(const RunInputs& inputs)
-{
-  std::vector<EndSurface> ends;
-  if (this->Surface.Points.rows() > 0 &&
-    (!inputs.Constraints.empty() || inputs.Uncorrected != this->Organ.GetForeground().GetMask()))
-  {
-    ends.push_back(this->SurfaceWhereUnchanged(inputs.Constraints, inputs.Uncorrected));
-  }
-  return this->RunAllLevelsTo(ends, inputs);
 }
 
 bool UnconstrainedCorrection::RunLastLevelFrom(const DeformableSurface& from,
@@ -151,124 +127,63 @@ bool UnconstrainedCorrection::RunLastLevelFrom(const DeformableSurface& from,
   return JointDeformation({ &this->Organ }, {}, this->Parallel).RunLastLevel(inputs.Proceed);
 }
 
-// The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
-// so such parts change in runs of all levels: each by itself.
-bool UnconstrainedCorrection::FindDeepSurfaces(const RunInputs& inputs)
+bool UnconstrainedCorrection::RunDeepChange(const RunInputs& inputs, DeepChange& change)
 {
-  std::vector<BitMask> deep;
-  if (!FindDeepParts(inputs.Uncorrected, this->Organ.GetForeground().GetMask(), DeepChange,
-        this->Parallel, PartOf(inputs.Proceed, 0, 0), deep))
-  {
-    return false;
-  }
-  std::vector<DeepPart> parts;
-  for (std::size_t number = 0; number < deep.size(); ++number)
-  {
-    DeepPart part;
-    part.Voxels = std::move(deep[number]);
-    std::copy_if(inputs.Constraints.begin(), inputs.Constraints.end(),
-      std::back_inserter(part.Constraints),
-      [&](const PointConstraint& constraint) { return IsNear(constraint, part.Voxels); });
-    part.Constraints = SortedConstraints(part.Constraints);
-    part.Start = inputs.Start.Points;
-    const auto same = std::find_if(this->DeepParts.begin(), this->DeepParts.end(),
-      [&](const DeepPart& other) { return part.IsSameAs(other); });
-    if (same != this->DeepParts.end())
-    {
-      parts.push_back(*same);
-      continue;
-    }
-    const double first = static_cast<double>(number) / static_cast<double>(deep.size());
-    const double last = static_cast<double>(number + 1) / static_cast<double>(deep.size());
-    if (!this->RunDeepPart(inputs.Part(first, last), part))
-    {
-      return false;
-    }
-    parts.push_back(std::move(part));
-  }
-  this->DeepParts = std::move(parts);
-  return true;
-}
-
-bool UnconstrainedCorrection::RunDeepPart(const RunInputs& inputs, DeepPart& part)
-{
-  const RunInputs ofPart = inputs.With(part.Constraints);
+  const RunInputs ofChange = inputs.With(change.Constraints);
   OrganSurface& surface = this->Organ.GetSurface();
-  this->Organ.SettleForeground(DifferenceOf(inputs.Uncorrected, part.Voxels));
-  surface.Iterations.clear();
-  if (!this->RunAllLevels(ofPart.Part(0, 0.8)) ||
-    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, { part.Voxels, part.Constraints },
-      ofPart.Part(0.8, 1)))
+  this->Organ.SettleForeground(DifferenceOf(inputs.Uncorrected, change.Voxels));
+  if (!this->RunAllLevels(ofChange.Part(0, 0.8)) ||
+    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, { change.Voxels, change.Constraints },
+      ofChange.Part(0.8, 1)))
   {
     return false;
   }
-  part.Surface = { surface.Mesh, surface.Points };
-  part.Iterations = surface.Iterations;
+  change.Surface = { surface.Mesh, surface.Points };
+  change.Iterations = surface.Iterations;
   return true;
 }
 
-// Of several deep parts: near each, the surface with that one alone.
-bool UnconstrainedCorrection::JoinDeepSurfaces(const RunInputs& inputs)
-{
-  BitMask all(inputs.Uncorrected.GetGeometry());
-  ConstraintList constraints;
-  std::vector<EndSurface> ends(1);
-  for (const DeepPart& part : this->DeepParts)
-  {
-    all.Unite(part.Voxels);
-    constraints.insert(constraints.end(), part.Constraints.begin(), part.Constraints.end());
-    const auto places = std::make_shared<const UnchangedPlaces>(part.Voxels, part.Constraints);
-    ends.push_back({ &part.Surface,
-      [places, &parallel = this->Parallel](const PointList& points) -> Eigen::VectorXd
-      { return (places->WeightsOf(points, parallel).array() < 1).cast<double>(); } });
-  }
-  this->Organ.SettleForeground(DifferenceOf(inputs.Uncorrected, all));
-  ends.front() = this->SurfaceWhereUnchanged(constraints, inputs.Uncorrected);
-  return this->RunAllLevelsTo(ends, inputs.With(SortedConstraints(constraints)));
-}
-
-// Moves the surface without constraints only where these have changed the foreground.
-// `corrected` is the foreground by all constraints.
 bool UnconstrainedCorrection::Correct(const BitMask& corrected, const RunInputs& inputs)
 {
-  std::vector<IterationRecord> iterations = this->Organ.GetSurface().Iterations;
   // Refuses outside points in the start.
   this->Begin(OutsidePoints::InTheLastLevel, inputs);
-  if (!this->FindDeepSurfaces(inputs.Part(0, 0.5)))
+  auto deep = std::make_unique<DeepChange>();
+  if (!FindDeepChange(inputs.Uncorrected, corrected, DeepDistance, this->Parallel,
+        PartOf(inputs.Proceed, 0, 0), deep->Voxels))
   {
     return false;
   }
-  const std::vector<DeepPart>& parts = this->DeepParts;
   BitMask changed = DifferenceOf(inputs.Uncorrected, corrected);
-  for (const DeepPart& part : parts)
+  if (deep->Voxels.Count() == 0)
   {
-    changed.Remove(part.Voxels);
-    Append(part.Iterations, iterations);
+    this->Deep.reset();
+    return this->RunLastLevelFrom(this->Surface, { std::move(changed), inputs.Constraints },
+      inputs);
   }
-  this->Organ.GetSurface().Iterations = std::move(iterations);
-  DeformableSurface base = parts.empty() ? this->Surface : parts.front().Surface;
-  if (parts.size() > 1)
+  changed.Remove(deep->Voxels);
+  ConstraintList shallow;
+  for (const PointConstraint& constraint : SortedConstraints(inputs.Constraints))
   {
-    if (!this->JoinDeepSurfaces(inputs.Part(0.5, 0.8)))
+    (IsNear(constraint, deep->Voxels) ? deep->Constraints : shallow).push_back(constraint);
+  }
+  deep->Start = inputs.Start.Points;
+  if (!this->Deep || !this->Deep->IsSameAs(*deep))
+  {
+    if (!this->RunDeepChange(inputs.Part(0, 0.8), *deep))
     {
       return false;
     }
-    base = { this->Organ.GetSurface().Mesh, this->Organ.GetSurface().Points };
+    this->Deep = std::move(deep);
   }
+  this->Organ.GetSurface().Iterations = this->Deep->Iterations;
   this->Organ.SettleForeground(corrected);
-  ConstraintList shallow;
-  std::copy_if(inputs.Constraints.begin(), inputs.Constraints.end(), std::back_inserter(shallow),
-    [&](const PointConstraint& constraint)
-    {
-      return std::none_of(parts.begin(), parts.end(),
-        [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
-    });
-  return this->RunLastLevelFrom(base, { std::move(changed), shallow }, inputs.Part(0.8, 1));
+  return this->RunLastLevelFrom(this->Deep->Surface, { std::move(changed), shallow },
+    inputs.Part(0.8, 1));
 }
 
 bool UnconstrainedCorrection::Run(const RunInputs& inputs)
 {
-  if (inputs.Constraints.empty() || this->Surface.Points.rows() == 0)
+  if (inputs.Constraints.empty() || !this->HasSurface())
   {
     return this->RunAllLevels(inputs);
   }

@@ -8,8 +8,8 @@
 
 #include "Deformation/DeformingOrgan.h"
 
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace FlipFree
 {
@@ -52,45 +52,25 @@ public:
   bool Run(const RunInputs& inputs);
 
 private:
-  // Which run calls which, and when:
-  //
-  //   Run()
-  //     RunAllLevels()             without constraints or such a surface, and where the correction
-  //                                cannot obey a constraint
-  //       RunAllLevelsTo()
-  //     Correct()                  otherwise
-  //       FindDeepSurfaces()
-  //         RunDeepPart()          for each part that is changed deeply, anew or for the first time
-  //           RunAllLevels()       with this part alone changed
-  //           RunLastLevelFrom()   that surface
-  //       JoinDeepSurfaces()       if there are several such parts
-  //         RunAllLevelsTo()       the surfaces of the parts
-  //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
-
   void Begin(OutsidePoints outside, const RunInputs& inputs);
-  EndSurface SurfaceWhereUnchanged(const ConstraintList& constraints,
-    const BitMask& uncorrected) const;
   /// From the start surface. Where the constraints change nothing, it ends on the surface without
-  /// them, if there is one.
+  /// them, if there is one. Where it cannot be pulled back from an outside point, it keeps off from
+  /// the start.
   bool RunAllLevels(const RunInputs& inputs);
-  /// From the start surface to `ends`.
-  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const RunInputs& inputs);
   /// From a surface as fine as the result, which stays as it is in unchanged places.
   bool RunLastLevelFrom(const DeformableSurface& from, const UnchangedPlaces& unchanged,
     const RunInputs& inputs);
 
-  struct DeepPart;
+  struct DeepChange;
+  /// Moves the surface without constraints only where these have changed the foreground, to
+  /// `corrected`: what changes deeply in a run of all levels, the rest in one of the last level.
   bool Correct(const BitMask& corrected, const RunInputs& inputs);
-  bool FindDeepSurfaces(const RunInputs& inputs);
-  /// With the part's constraints.
-  bool RunDeepPart(const RunInputs& inputs, DeepPart& part);
-  /// With the constraints of all parts.
-  bool JoinDeepSurfaces(const RunInputs& inputs);
+  bool RunDeepChange(const RunInputs& inputs, DeepChange& change);
 
   DeformingOrgan& Organ;
   const ParallelFor& Parallel;
-  DeformableSurface Surface;       // without constraints
-  std::vector<DeepPart> DeepParts; // of the last call
+  DeformableSurface Surface; // without constraints
+  std::unique_ptr<DeepChange> Deep;
 };
 
 } // namespace FlipFree

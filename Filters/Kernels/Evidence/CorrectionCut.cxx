@@ -255,6 +255,10 @@ private:
       this->Propose(part, *this->Leaks, correction);
       return true;
     }
+    if (correction.Tissue)
+    {
+      return this->ProposeTissue(correction);
+    }
     if (!this->Missed && !this->FindMissed())
     {
       return false;
@@ -270,6 +274,21 @@ private:
       this->MissedPart = part;
     }
     this->Propose(this->OpenedPart, *this->Missed, correction);
+    return true;
+  }
+
+  // Of what is not in the mask, the part around the point.
+  bool ProposeTissue(const PointCorrection& correction)
+  {
+    std::optional<NestedParts> parts;
+    if (!this->FindParts(
+          this->NotInMask(this->CountVoxels(correction.Tissue->Voxels, correction.Tissue->Box)), {},
+          parts))
+    {
+      return false;
+    }
+    this->Propose(parts->PartAround(this->Grid.BlockAt(correction.Point), {}, OnTopOfMissedPart),
+      *parts, correction);
     return true;
   }
 
@@ -323,14 +342,7 @@ private:
   // Those that would change sides, ascending: by half, and around the part's place.
   std::vector<std::size_t> BlocksOf(const OtherPart& other, const PointCorrection& correction) const
   {
-    BitMask voxels(this->Grid.Voxels);
-    std::array<int, 3> first{};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      first[axis] = other.Box.Begin[axis] - this->Known.Image.First[axis];
-    }
-    voxels.Insert(other.Voxels, first);
-    const std::vector<std::size_t> counts = this->Grid.CountVoxels(voxels, this->Parallel);
+    const std::vector<std::size_t> counts = this->CountVoxels(other.Voxels, other.Box);
     const std::size_t place = this->Grid.BlockAt(other.Doubt.Place);
     std::vector<std::size_t> part;
     for (std::size_t block = 0; block < counts.size(); ++block)
@@ -344,20 +356,38 @@ private:
     return part;
   }
 
+  // Of a box of the image, in each block.
+  std::vector<std::size_t> CountVoxels(const BitMask& voxels, const VoxelBox& box) const
+  {
+    std::array<int, 3> first{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = box.Begin[axis] - this->Known.Image.First[axis];
+    }
+    BitMask all(this->Grid.Voxels);
+    all.Insert(voxels, first);
+    return this->Grid.CountVoxels(all, this->Parallel);
+  }
+
+  // Which blocks are not in the mask and have most of their voxels counted.
+  std::vector<unsigned char> NotInMask(const std::vector<std::size_t>& counts) const
+  {
+    std::vector<unsigned char> blocks(this->IsIn.size(), 0);
+    for (std::size_t block = 0; block < counts.size(); ++block)
+    {
+      blocks[block] = !this->IsIn[block] && 2 * counts[block] > this->Grid.VoxelsPerBlock();
+    }
+    return blocks;
+  }
+
   // The parts of the candidate that are not in the mask.
   bool FindMissed()
   {
-    std::vector<unsigned char> missed(this->IsIn.size(), 0);
-    if (this->Known.Candidate.HasGrid())
-    {
-      const std::vector<std::size_t> counts =
-        this->Grid.CountVoxels(this->Known.Candidate, this->Parallel);
-      for (std::size_t block = 0; block < missed.size(); ++block)
-      {
-        missed[block] = !this->IsIn[block] && 2 * counts[block] > this->Grid.VoxelsPerBlock();
-      }
-    }
-    return this->FindParts(missed, {}, this->Missed);
+    const BitMask& candidate = this->Known.Candidate;
+    return this->FindParts(this->NotInMask(candidate.HasGrid()
+                               ? this->Grid.CountVoxels(candidate, this->Parallel)
+                               : std::vector<std::size_t>()),
+      {}, this->Missed);
   }
 
   // False if the monitor stopped it.

@@ -28,6 +28,10 @@ constexpr double DomainInAway = 2;
 constexpr double DomainInOrganRadii = 2;
 constexpr double LeastDomainInAway = 1.25;
 
+// In millimeters: an inside point so deep outside the foreground may stand for tissue that was not
+// expected in the organ.
+constexpr double DeepInNewTissue = 10;
+
 // How far from the foreground's box missed parts are looked for, in millimeters.
 constexpr double MissedReach = 15;
 
@@ -106,6 +110,10 @@ public:
 
   bool Execute()
   {
+    if (this->Given.Growth && !this->FindTissues())
+    {
+      return false;
+    }
     this->Box = this->FindBox();
     if (!this->Given.Make(this->Box))
     {
@@ -147,6 +155,39 @@ private:
     return opposite;
   }
 
+  // What grows back to the seed is no new tissue: carving has decided about it.
+  bool FindTissues()
+  {
+    const BitMask& candidate = this->Given.Candidate;
+    const ImageGeometry& geometry = this->Foreground.GetGeometry();
+    const auto isIn = [&](const BitMask& mask, const Eigen::Vector3d& place)
+    {
+      const std::array<int, 3> voxel = NearestVoxel(geometry, place);
+      return mask.HasGrid() && mask(voxel[0], voxel[1], voxel[2]);
+    };
+    for (PointCorrection& correction : this->Corrections)
+    {
+      if (!correction.IsInside || correction.Away < DeepInNewTissue ||
+        isIn(candidate, correction.Point))
+      {
+        continue;
+      }
+      std::shared_ptr<const GrownTissue> tissue =
+        this->Given.Growth->From(correction.Point, this->Ask);
+      if (!tissue)
+      {
+        return false;
+      }
+      BitMask voxels(geometry);
+      voxels.Insert(tissue->Voxels, tissue->Box.Begin);
+      if (!isIn(voxels, this->Seed.Center))
+      {
+        correction.Tissue = std::move(tissue);
+      }
+    }
+    return true;
+  }
+
   // Where missed parts are looked for. It must not depend on the points.
   VoxelBox MissedBox() const
   {
@@ -168,6 +209,10 @@ private:
     for (const PointCorrection& correction : this->Corrections)
     {
       box = box.Joined(BoxAround(geometry, correction.Point, correction.Domain));
+      if (correction.Tissue)
+      {
+        box = box.Joined(correction.Tissue->Box);
+      }
     }
     const BlockGrid grid = CorrectionGrid(this->Foreground, this->Seed);
     std::array<int, 3> margin{};

@@ -11,6 +11,7 @@
 #define FlipFreeForegroundCorrection_h
 
 #include "Evidence/OtherParts.h"
+#include "Evidence/TissueGrowth.h"
 #include "Image/BitMask.h"
 #include "Image/PointConstraint.h"
 #include "Image/SmoothRegion.h"
@@ -29,6 +30,7 @@ struct ForegroundImage
   Modality Kind;                        ///< not Automatic
   const BitMask& Candidate;             ///< all that may be the organ; may have no grid
   const std::vector<OtherPart>& Others; ///< of other opinions
+  TissueGrowth* Growth;                 ///< in the image; may be null
 };
 
 /// Corrects `foreground` and keeps what is connected with the seed. Boundary points do not count

@@ -4,9 +4,10 @@
 #ifndef FlipFreePointCorrection_h
 #define FlipFreePointCorrection_h
 
-#include "KernelTypes.h"
+#include "Evidence/TissueGrowth.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace FlipFree
@@ -19,6 +20,8 @@ struct PointCorrection
   double Radius = 0; ///< mm; of a further seed
   double Away = 0;   ///< mm to the nearest voxel center on its side of the mask; 0 on that side
   Eigen::Vector3d NearestOnSide = Eigen::Vector3d::Zero(); ///< that center
+  /// From an inside point deep in what was not expected in the organ; else null.
+  std::shared_ptr<const GrownTissue> Tissue;
   double Domain = 0; ///< mm; how far away from the point its surroundings may change
   /// Points of the other kind; for an outside point, the seed's center with them.
   std::vector<Eigen::Vector3d> Opposite;
