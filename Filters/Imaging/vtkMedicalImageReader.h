@@ -3,12 +3,13 @@
  * @brief   reads a medical image with its orientation
  *
  * Reads a volume from a NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd) file,
- * or from a folder of DICOM files. Physical coordinates are LPS (x to the patient's left, y to the
+ * from a folder of DICOM files, or from a DICOM file of several frames. Physical coordinates are LPS (x to the patient's left, y to the
  * back, z to the head) millimeters; those of NIfTI and NRRD are converted. Axes need not be at
  * right angles. The voxels keep the type of the file, or are float or double where the file scales
  * them. Of a NIfTI file with two orientations, the sform is taken, if its code is above 0 and it
  * can be inverted. NaN voxels stay so.
  *
+ * Folders within a folder are searched only beside a DICOMDIR, as on a CD.
  * A folder may hold several DICOM series, with and without preambles, of slices or of multi-frame
  * images, and much else beside them. A series may hold several volumes (times, echoes, stacks,
  * acquisitions at one place); each is chosen by `UID#1`, `UID#2` and so on, and in the following
@@ -75,7 +76,7 @@ public:
   /**
    * Series Instance UID of the DICOM series to read, followed by `#1`, `#2` and so on where it
    * holds several volumes. Empty or unset (the default) means the series with the greatest volume,
-   * that of the most slices. Not used for single files.
+   * that of the most slices. Not used for files of other formats.
    */
   vtkSetStringMacro(SeriesUID);
   vtkGetStringMacro(SeriesUID);

@@ -5,6 +5,8 @@
 #include "Run.h"
 #include "UnreadableFile.h"
 
+#include "Exchange/DicomReading.h"
+
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMedicalImageReader.h"
@@ -40,12 +42,12 @@ void Read(vtkMedicalImageReader* reader, const std::string& name)
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::string& seriesUID)
 {
   std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(name, ignored);
-  if (!folder && !std::filesystem::exists(name, ignored))
+  if (!std::filesystem::exists(name, ignored))
   {
     throw UnreadableFile(name);
   }
-  if (!folder && !seriesUID.empty())
+  if (!seriesUID.empty() && !std::filesystem::is_directory(name, ignored) &&
+    FlipFree::DicomFilesOf(name).empty())
   {
     throw WrongUsage("--series selects a series of a DICOM folder, but '" + name +
       "' is a file. Omit the option, or give the folder.");

@@ -26,7 +26,7 @@ FileProblem WhyNotReadable(const std::string& name, const std::string& start)
   if (start.size() > preamble && start.compare(preamble, 4, "DICM") == 0)
   {
     return { FileProblem::Kind::Unrecognized,
-      "'" + name + "' is a single DICOM file. Give the folder of its series instead." };
+      "'" + name + "' is a single slice of a DICOM series. Give the folder of its series instead." };
   }
   const char* const known[] = { ".nii", ".nii.gz", ".hdr", ".img", ".img.gz", ".nrrd", ".nhdr",
     ".mha", ".mhd" };
