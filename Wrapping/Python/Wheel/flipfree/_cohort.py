@@ -63,7 +63,8 @@ def cohort(
 
     table
         The name of a CSV file, a pandas.DataFrame, or a list of dictionaries. Columns: volume (a file
-        or a folder of DICOM files); of an organ seed_x, seed_y, seed_z and radius (LPS mm), and if
+        or a folder of DICOM files) and, where a folder holds several, series (the UID, as
+        flipfree.series() lists them); of an organ seed_x, seed_y, seed_z and radius (LPS mm), and if
         wanted inside, outside and boundary (lists of points, LPS mm: "1 2 3; 4 5 6") and corrections
         (a file of points, .csv or .mrk.json); of a vessel points (a list or a file) in place of all
         of these; if wanted, case and organ (names), reference and reference_label (a label map to

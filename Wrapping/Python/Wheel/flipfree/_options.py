@@ -26,11 +26,12 @@ COHORT: Entry = {
     "name": "cohort",
     "description": "Segment the organs and vessels of many volumes, several at a time",
     "footer": "TABLE is a CSV file with a row per organ or vessel. Its columns: volume (a file or a DICOM\n"
-    "folder); of an organ seed_x, seed_y, seed_z and radius in LPS millimeters, and if wanted inside,\n"
-    "outside and boundary (points: 1 2 3; 4 5 6) and corrections (a file of points, .csv or .mrk.json);\n"
-    "of a vessel points (a list or a file) in place of these; if wanted, case and organ (names),\n"
-    "reference and reference_label (a label map to compare with), and any parameter of flipfree.segment\n"
-    "or flipfree.trace. Files are found from the table's folder. In DIR there are then cohort.csv, cohort.parquet, report.html and a\n"
+    "folder) and, where the folder holds several, series (as 'flipfree series' lists them); of an organ\n"
+    "seed_x, seed_y, seed_z and radius in LPS millimeters, and if wanted inside, outside and boundary\n"
+    "(points: 1 2 3; 4 5 6) and corrections (a file of points, .csv or .mrk.json); of a vessel points (a\n"
+    "list or a file) in place of these; if wanted, case and organ (names), reference and reference_label\n"
+    "(a label map to compare with), and any parameter of flipfree.segment or flipfree.trace. Files are\n"
+    "found from the table's folder. In DIR there are then cohort.csv, cohort.parquet, report.html and a\n"
     "folder with files for each row. The same command again does only what is missing or has changed.\n"
     "\n"
     "Examples:\n"
