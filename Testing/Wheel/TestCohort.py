@@ -201,8 +201,8 @@ class Local(CohortTest):
         dicom.write_series(folder, ball.image.voxels[1:-1] + 300, ball.image.spacing, ball.image.origin, second, "b")
         twice = self.folder / "twice"
         twice.mkdir()
-        for time_, prefix in enumerate("ab"):
-            dicom.write_series(twice, ball.image.voxels + time_, ball.image.spacing, ball.image.origin, first, prefix)
+        for rows, prefix in ((-1, "a"), (-2, "b")):
+            dicom.write_series(twice, ball.image.voxels[:, :rows], ball.image.spacing, ball.image.origin, first, prefix)
         (x, y, z), radius = ball.seeds[1]
         row = {"volume": folder, "seed_x": x, "seed_y": y, "seed_z": z, "radius": radius, **COARSE}
         rows = [{**row, "organ": "a"}, {**row, "organ": "b", "series": second}, {**row, "organ": "c", "series": "9.9"},

@@ -92,8 +92,9 @@ def cohort(
       ...
     flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed. Vessels have points in their place.
     """
-    if threads < 1 or workers < 0:
-        raise ValueError(f"threads, workers: {threads}, {workers} are out of range; the least values are 1, 0")
+    for name, number, least in (("threads", threads, 1), ("workers", workers, 0)):
+        if number < least:
+            raise ValueError(f"{name}: {number} is out of range; the least value is {least}")
     # What it imports would make the package slow to import.
     from ._cohort_run import run_cohort
     from ._cohort_table import rows_of

@@ -98,7 +98,7 @@ def _inflated(packed: bytes, most: int) -> bytes:
 
 def _decoded(folder: str, file: bytes) -> bytes:
     """The pixels of a minimal DICOM file; none where they are damaged."""
-    sitk = simpleitk(folder, ARRAY_INSTEAD)
+    sitk = simpleitk(folder, "compressed DICOM", ARRAY_INSTEAD)
     with tempfile.TemporaryDirectory() as place:
         name = os.path.join(place, "compressed.dcm")
         with open(name, "wb") as stream:

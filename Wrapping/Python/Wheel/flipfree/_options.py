@@ -18,6 +18,7 @@ from ._parameters import Parameter
 Entry = Mapping[str, Any]
 
 COLUMN = 30
+MOST_THREADS = 1024
 # Of values that are not the keywords of a function.
 INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
 TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE", "FORMAT"}
@@ -129,6 +130,13 @@ def _label(text: str) -> str:
     return text
 
 
+def _threads(text: str) -> int:
+    number = int(text)
+    if not 0 <= number <= MOST_THREADS:
+        raise argparse.ArgumentTypeError(f"{number} is out of range. Give 0 to {MOST_THREADS}")
+    return number
+
+
 def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> None:
     name = destination(option)
     on = [spelled for spelled in option["names"] if not spelled.startswith("--no-")]
@@ -141,7 +149,9 @@ def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> 
     unit = option["values"][0]
     known = parameters[name].type if name in parameters else None
     kind: Any = float
-    if known is int or (known is None and unit in INTEGERS):
+    if name == "threads":
+        kind = _threads
+    elif known is int or (known is None and unit in INTEGERS):
         kind = int
     elif known is None and unit in TEXTS:
         kind = str
