@@ -63,9 +63,9 @@ std::string TextOfPoints(const std::string& table)
 TEST(TableText, SeparatorsThatProgramsWrite)
 {
   const Cells expected{ { "a", "b" }, { "1.5", "x y" } };
-  for (const char* text :
-    { "a,b\n1.5,x y\n", "a;b\n1.5;x y", "a\tb\r\n1.5\tx y\r\n", "sep=|\na|b\n1.5|x y\n",
-      "\"SEP=;\"\r\na;b\n1.5;x y\n", "\n , \n\"a\" , \"b\"\n\n1.5,x y\n,,\n" })
+  for (const char* text : { "a,b\n1.5,x y\n", "a;b\n1.5;x y", "a\tb\r\n1.5\tx y\r\n",
+         "sep=|\na|b\n1.5|x y\n", "\"SEP=;\"\r\na;b\n1.5;x y\n", "a ,\tb\n1.5 ,\tx y\n",
+         "\n , \n\"a\" , \"b\"\n\n1.5,x y\n,,\n" })
   {
     EXPECT_EQ(CellsIn(text).front(), expected.front()) << text;
     EXPECT_EQ(CellsIn(text).back(), expected.back()) << text;

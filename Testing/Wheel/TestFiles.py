@@ -222,7 +222,7 @@ class Files(FileTest):
         path = self.write_nrrd("latin.nrrd", b"name:=caf\xe9")
         self.assertEqual(flipfree.read_image(path).voxels.shape, (6, 5, 4))
         path = self.write_nrrd("latin.nhdr", b"data file: caf\xe9.raw", b"")
-        with self.assertRaisesRegex(flipfree.FileError, "There is no file 'caf\xe9.raw', which has the voxels"):
+        with self.assertRaisesRegex(flipfree.FileError, "There is no file '.*caf\xe9.raw', which has the voxels"):
             flipfree.read_image(path)
         (self.folder / os.fsdecode(b"caf\xe9.raw")).write_bytes(bytes(120))
         self.assertEqual(flipfree.read_image(path).voxels.shape, (6, 5, 4))

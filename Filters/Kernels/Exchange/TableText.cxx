@@ -146,25 +146,31 @@ char SaidSeparator(std::string line)
     : '\0';
 }
 
+/// Whether a first line is parted by a separator: it has several cells, and none is left with
+/// another separator at its end.
+bool AreParted(const TableLine& line)
+{
+  const auto filled = std::count_if(line.Cells.begin(), line.Cells.end(),
+    [](const std::string& cell) { return !cell.empty(); });
+  return filled > 1 &&
+    std::none_of(line.Cells.begin(), line.Cells.end(),
+      [](const std::string& cell)
+      { return !cell.empty() && (cell.back() == ',' || cell.back() == ';'); });
+}
+
 /// Neither names nor numbers have tabs or semicolons in them; numbers may have commas.
 char FoundSeparator(const std::string& name, const std::string& text)
 {
   for (const char separator : { '\t', ';' })
   {
-    for (TableParser parser(name, text, 0, 1, separator); parser.HasMore();)
+    TableLine first;
+    for (TableParser parser(name, text, 0, 1, separator); parser.HasMore() && IsEmpty(first);)
     {
-      const TableLine first = parser.Next();
-      if (IsEmpty(first))
-      {
-        continue;
-      }
-      const auto count = std::count_if(first.Cells.begin(), first.Cells.end(),
-        [](const std::string& cell) { return !cell.empty(); });
-      if (count > 1)
-      {
-        return separator;
-      }
-      break;
+      first = parser.Next();
+    }
+    if (AreParted(first))
+    {
+      return separator;
     }
   }
   return ',';

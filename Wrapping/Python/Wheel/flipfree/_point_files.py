@@ -53,7 +53,7 @@ def read_points(path: str) -> list[Constraint]:
 
 def read_places(path: str) -> list[tuple[float, ...]]:
     """Points of one kind: a table of x, y, z, or control points of any label; raises FileError."""
-    return _read(path, _kernels.read_place_table, _place_of_control, "x, y and z")
+    return _read(path, _places_of_table, _place_of_control, "x, y and z")
 
 
 def read_stroke(path: str) -> list[tuple[float, ...]]:
@@ -120,6 +120,10 @@ def _text_of(path: str) -> str:
 def _constraints_of_table(path: str, text: str) -> list[Constraint]:
     rows = _kernels.read_constraint_table(path, text)
     return [Constraint(kind, tuple(place), radius) for kind, place, radius in rows]
+
+
+def _places_of_table(path: str, text: str) -> list[tuple[float, ...]]:
+    return [tuple(place) for place in _kernels.read_place_table(path, text)]
 
 
 def _of_markups(text: str, of_control: Callable[[str, list[float]], Any]) -> list[Any]:
