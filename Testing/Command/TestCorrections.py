@@ -121,6 +121,12 @@ class TestCorrections(command.CommandTest):
                                         "--inside", 58.5, 31.5, 31.2, *words, *out), 1,
                             r"the inside point \(58.5, 31.5, 31.2\) mm cannot be obeyed: the surface of one piece does not get there")
 
+    def test_a_file_of_no_points_is_a_warning(self):
+        for content in ("", "kind,x,y,z,radius\n"):
+            process = self.segment("--points", self.file("none.csv", content), "-o", self.result("none.stl"))
+            self.assertEqual(process.returncode, 0)
+            self.assertRegex(process.stderr, r"\Aflipfree: warning: '[^\n]*none\.csv' holds no points, so nothing is corrected[^\n]*\n\Z")
+
     def test_what_is_wrong_is_named(self):
         out = ("-o", self.result("bad.stl"))
         for status, arguments, patterns in (
