@@ -260,8 +260,8 @@ bool vtkMedicalImageReader::FindSeries()
       throw FlipFree::FileProblem(FlipFree::FileProblem::Kind::Missing,
         "'" + name + "' is not a folder. Give the folder of DICOM files.");
     }
-    this->Found->Folder = FlipFree::ReadDicomFolder(name, files,
-      FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 1));
+    this->Found->Folder = FlipFree::ReadDicomFolder(name, files, FlipFree::DicomByLibraries(),
+      FlipFree::MonitorOf(this, 0, 1));
     if (FlipFree::IsAborted(this))
     {
       return false;

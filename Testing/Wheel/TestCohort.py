@@ -169,7 +169,7 @@ class Local(CohortTest):
             "away": ({"seed_x": 900}, r"^row 5, columns seed_x, seed_y, seed_z and radius: No segmentation: the seed's center \(900, .*lies outside"),
             "word": ({"radius": "big"}, "radius: a number is needed, not 'big'"),
             "none": ({"seed_y": ""}, "seed_y: the cell is empty"),
-            "many": ({"levels": 99}, "^row 8, column levels: levels: 99 is out of range"),
+            "many": ({"levels": 99}, "^row 8, column levels: 99 is out of range"),
             "half": ({"levels": 1.5}, "levels: a whole number is needed, not '1.5'"),
             "odd": ({"preset": "fast"}, "preset: 'fast' does not exist"),
             "label": ({"reference_label": 7}, r"^row 11, columns reference and reference_label: .*\b7\b"),

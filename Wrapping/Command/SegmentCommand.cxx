@@ -19,8 +19,6 @@
 #include "TableFile.h"
 #include "VolumeFile.h"
 
-#include "Exchange/DicomReading.h"
-
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
 #include "vtkGMMFeatureFilter.h"
@@ -387,7 +385,7 @@ void Segment(const SegmentRequest& request)
   {
     given.Input = ImageBeside(session);
   }
-  if (given.SeriesUID.empty() && !FlipFree::DicomFilesOf(given.Input).empty())
+  if (given.SeriesUID.empty() && MayHoldSeries(given.Input))
   {
     given.SeriesUID = session.SeriesUID;
   }

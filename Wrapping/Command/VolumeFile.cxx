@@ -39,6 +39,12 @@ void Read(vtkMedicalImageReader* reader, const std::string& name)
 
 } // namespace
 
+bool MayHoldSeries(const std::string& name)
+{
+  std::error_code ignored;
+  return std::filesystem::is_directory(name, ignored) || !FlipFree::DicomFilesOf(name).empty();
+}
+
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::string& seriesUID)
 {
   std::error_code ignored;
@@ -46,8 +52,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::str
   {
     throw UnreadableFile(name);
   }
-  if (!seriesUID.empty() && !std::filesystem::is_directory(name, ignored) &&
-    FlipFree::DicomFilesOf(name).empty())
+  if (!seriesUID.empty() && !MayHoldSeries(name))
   {
     throw WrongUsage("--series selects a series of a DICOM folder, but '" + name +
       "' is a file. Omit the option, or give the folder.");

@@ -210,12 +210,17 @@ private:
       {
         this->LeaveOut(Reason::NoGrayValues, file, uid);
       }
-      const std::vector<Frames> parts = this->PartsOf(uid, files.Gray);
+      std::vector<Frames> parts = this->PartsOf(uid, files.Gray);
+      std::vector<std::string> strangers;
       for (const Frames& frames : parts)
       {
-        volumes.push_back(this->NewVolume(uid, frames.front().File));
-        volumes.back().Frames = frames;
-        this->Finish(volumes.back(), this->StrangerTo(frames, parts, uid));
+        strangers.push_back(this->StrangerTo(frames, parts, uid));
+      }
+      for (std::size_t part = 0; part < parts.size(); ++part)
+      {
+        volumes.push_back(this->NewVolume(uid, parts[part].front().File));
+        volumes.back().Frames = std::move(parts[part]);
+        this->Finish(volumes.back(), strangers[part]);
       }
     }
     for (std::size_t index = 0; index < volumes.size(); ++index)

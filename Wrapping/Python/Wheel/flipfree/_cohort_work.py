@@ -9,7 +9,7 @@ import re
 import socket
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from ._atomic import replacing
@@ -58,8 +58,7 @@ class _Volume:
     def read(self, row: Row) -> Image:
         if self.image is None:
             start = time.perf_counter()
-            where = "columns volume and series" if row.series else "column volume"
-            with _said_of(row, lambda _: where):
+            with _said_of(row, "columns volume and series" if row.series else "column volume"):
                 self.image = read_image(row.volume, series=row.series or None)
             self.stamp = stamp_of(row.volume)
             self.seconds = time.perf_counter() - start
@@ -122,8 +121,7 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
         "self_intersections": organ.self_intersections,
     }
     if row.reference:
-        where = "column reference" if row.reference_label < 0 else "columns reference and reference_label"
-        with _said_of(row, lambda _: where):
+        with _said_of(row, "column reference" if row.reference_label < 0 else "columns reference and reference_label"):
             scores = evaluate(organ, row.reference, reference_label=row.reference_label)
         values.update(
             (column, round(getattr(scores, field), 4 if column.endswith("_mm") else 6))
@@ -147,28 +145,29 @@ def _found(row: Row, image: Image) -> Segmentation:
         corrections = {} if row.is_vessel else corrections_of(row.points)
     except ValueError as error:
         raise FlipFreeError(f"row {row.number}, column {error}") from error
-    with _said_of(row, lambda text: _columns_of(row, text)):
+    with _said_of(row):
         if row.is_vessel:
             return trace(image, points, **row.parameters)
         return segment(image, row.seed, row.radius, **corrections, **row.parameters)
 
 
 @contextlib.contextmanager
-def _said_of(row: Row, where: Callable[[str], str]) -> Iterator[None]:
-    """What goes wrong is said of the row and of the columns in which it can be mended, by its text."""
+def _said_of(row: Row, columns: str = "") -> Iterator[None]:
+    """What goes wrong is said of the row and of the columns in which it can be mended."""
     try:
         yield
     except (FlipFreeError, TypeError, ValueError) as error:
         text = str(error)
-        columns = where(text)
-        raise FlipFreeError(f"row {row.number}{f', {columns}' if columns else ''}: {text}") from error
+        place = columns or _columns_of(row, text)
+        # Such a message begins with the column's name itself.
+        separator = " " if place == "column" else ": "
+        raise FlipFreeError(f"row {row.number}{f', {place}' if place else ''}{separator}{text}") from error
 
 
 def _columns_of(row: Row, text: str) -> str:
     """Those that a message of segment() or trace() is about; empty where it does not say."""
-    argument = text.partition(":")[0]
-    if argument in row.parameters:
-        return f"column {argument}"
+    if text.partition(":")[0] in row.parameters:
+        return "column"
     if re.search(r"\bthe seed\b", text):
         return "columns seed_x, seed_y, seed_z and radius"
     kinds = [kind for kind in ("inside", "outside", "boundary") if f"the {kind} point" in text]
