@@ -112,11 +112,12 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     Source& found = *this->Found;
     const std::string name = this->FileName;
     const std::string segment = this->Segment ? this->Segment : "";
+    const std::vector<std::string> dicom = FlipFree::DicomFilesOf(name);
     std::error_code ignored;
-    if (std::filesystem::is_directory(name, ignored))
+    if (!dicom.empty() || std::filesystem::is_directory(name, ignored))
     {
-      found.Folder = FlipFree::ReadDicomFolder(name, FlipFree::FilesInFolder(name),
-        FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 0.5));
+      found.Folder = FlipFree::ReadDicomFolder(name, dicom, FlipFree::DicomByLibraries(),
+        FlipFree::MonitorOf(this, 0, 0.5));
       if (FlipFree::IsAborted(this))
       {
         return 0;
@@ -251,16 +252,16 @@ bool vtkMedicalImageReader::FindSeries()
   this->Modified(); // nothing is chosen any more
   try
   {
+    const std::string name = this->FileName ? this->FileName : "";
+    const std::vector<std::string> files = FlipFree::DicomFilesOf(name);
     std::error_code ignored;
-    if (!this->FileName || !std::filesystem::is_directory(this->FileName, ignored))
+    if (files.empty() && !std::filesystem::is_directory(name, ignored))
     {
       throw FlipFree::FileProblem(FlipFree::FileProblem::Kind::Missing,
-        "'" + std::string(this->FileName ? this->FileName : "") +
-          "' is not a folder. Give the folder of DICOM files.");
+        "'" + name + "' is not a folder. Give the folder of DICOM files.");
     }
-    const std::string name = this->FileName;
-    this->Found->Folder = FlipFree::ReadDicomFolder(name, FlipFree::FilesInFolder(name),
-      FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 1));
+    this->Found->Folder = FlipFree::ReadDicomFolder(name, files, FlipFree::DicomByLibraries(),
+      FlipFree::MonitorOf(this, 0, 1));
     if (FlipFree::IsAborted(this))
     {
       return false;

@@ -3,11 +3,11 @@
  * @brief   reads a medical image with its orientation
  *
  * Reads a volume from a NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd) file,
- * or from a folder of DICOM files. Physical coordinates are LPS (x to the patient's left, y to the
- * back, z to the head) millimeters; those of NIfTI and NRRD are converted. Axes need not be at
- * right angles. The voxels keep the type of the file, or are float or double where the file scales
- * them. Of a NIfTI file with two orientations, the sform is taken, if its code is above 0 and it
- * can be inverted. NaN voxels stay so.
+ * from a folder of DICOM files, or from a DICOM file of several frames. Physical coordinates are
+ * LPS (x to the patient's left, y to the back, z to the head) millimeters; those of NIfTI and NRRD
+ * are converted. Axes need not be at right angles. The voxels keep the type of the file, or are
+ * float or double where the file scales them. Of a NIfTI file with two orientations, the sform is
+ * taken, if its code is above 0 and it can be inverted. NaN voxels stay so.
  *
  * A folder may hold several DICOM series, with and without preambles, of slices or of multi-frame
  * images, and much else beside them. A series may hold several volumes (times, echoes, stacks,
@@ -17,7 +17,8 @@
  * GetChosenSeriesUID() says which one was read. Its slices are ordered by position. A tilted gantry
  * gives a direction matrix that is not orthogonal, so that each voxel stays where it was measured.
  * Voxels are gray values, of the least integer type that holds all that the pixels and the rescale
- * slopes allow, or float where these are not whole.
+ * slopes allow, or float where these are not whole. Folders within the folder are searched only
+ * beside a DICOMDIR, as on a CD.
  *
  * What is no slice of the series is left out: objects without pixels, scouts, a slice that is there
  * twice, damaged files of other series. One warning says how many files, and why.
@@ -36,10 +37,10 @@
  * several components per voxel; a folder without DICOM images or without the wanted series; a
  * series of several volumes of which none is chosen; a damaged or unreadable file of the series;
  * missing slices; slices without a pixel spacing, a position or an orientation; slices that are
- * unevenly spaced. GetErrorCode() gives the vtkErrorCode. Slices that deviate from an even stack by
- * more than 1 % of the slice spacing give a warning, and by more than half of it an error. What a
- * file does not say, or says twice, such as the voxel size or how its axes lie in the patient,
- * gives a warning of what was taken.
+ * unevenly spaced; pixels in other bits than HighBit and BitsStored name. GetErrorCode() gives the
+ * vtkErrorCode. Slices that deviate from an even stack by more than 1 % of the slice spacing give a
+ * warning, and by more than half of it an error. What a file does not say, or says twice, such as
+ * the voxel size or how its axes lie in the patient, gives a warning of what was taken.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h
@@ -75,7 +76,7 @@ public:
   /**
    * Series Instance UID of the DICOM series to read, followed by `#1`, `#2` and so on where it
    * holds several volumes. Empty or unset (the default) means the series with the greatest volume,
-   * that of the most slices. Not used for single files.
+   * that of the most slices. Not used for files of other formats.
    */
   vtkSetStringMacro(SeriesUID);
   vtkGetStringMacro(SeriesUID);

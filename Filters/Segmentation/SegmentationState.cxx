@@ -35,8 +35,9 @@ SegmentationState::SegmentationState(const SegmentationInputs& inputs)
 {
   if (inputs.Labels)
   {
-    this->Runs.FillLabel(LabelVolumeOf(inputs.Labels, "the start labels{ on port 3}"),
-      inputs.Label);
+    const LabelVolume labels = LabelVolumeOf(inputs.Labels, "the start labels{ on port 3}");
+    this->Runs.FillLabel(labels, inputs.Label);
+    this->Warning = WarningOfNoLabels(labels.Values(), inputs.Label, labels.Name, "is filled");
   }
   if (inputs.Start)
   {

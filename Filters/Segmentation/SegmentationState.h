@@ -10,6 +10,8 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkImageData;
 class vtkPolyData;
 
@@ -42,6 +44,7 @@ struct SegmentationState
   const SegmentationInputs Inputs;
   const vtkSmartPointer<vtkDataArray> Voxels;
   OrganRuns Runs;
+  std::string Warning; ///< of the start labels; empty where there is nothing to say
 };
 
 } // namespace FlipFree

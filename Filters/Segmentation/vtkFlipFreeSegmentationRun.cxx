@@ -41,6 +41,10 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkInformationVector**
       [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& surface,
         const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
       { this->Cache->History.Add(mesh, surface, field); });
+  if (!this->State->Warning.empty())
+  {
+    answer.Result.Warnings.push_back(this->State->Warning);
+  }
   if (!this->KeepForCorrections || answer.Result.Organ.Reason == FlipFree::StopReason::Aborted)
   {
     this->State.reset();

@@ -97,8 +97,8 @@ class TestCorrections(command.CommandTest):
                 (1, ("--outside-stroke", self.result("none.csv")), ("There is no file .*none.csv",)),
                 (1, ("--inside-stroke", self.file("no.csv", "x,y,z\n")), ("no.csv' holds no points",)),
                 (1, ("--inside-stroke", self.file("kinds.csv", "kind,x,y,z\ninside,1,2,3\n")),
-                 ("kinds.csv', line 1: cells separated by commas: 4; needed are x, y, z",)),
-                (1, ("--inside-stroke", self.file("order.csv", "x,z,y\n1,2,3\n")), ("the columns are x, y, z, in this order",)),
+                 ("kinds.csv', line 1: the header must be x, y, z, in any order",)),
+                (1, ("--inside-stroke", self.file("names.csv", "r,a,s\n1,2,3\n")), ("the header must be x, y, z, in any order",)),
                 (1, ("--inside-stroke", self.file("bad.mrk.json", "[]")), ("the columns x, y and z",)),
                 (1, ("--inside-stroke", stroke, "--outside-stroke", stroke), ("are in the same place",)),
                 (2, ("--inside-stroke", stroke, "--save-points", stroke), ("is an input",)),
@@ -121,6 +121,12 @@ class TestCorrections(command.CommandTest):
                                         "--inside", 58.5, 31.5, 31.2, *words, *out), 1,
                             r"the inside point \(58.5, 31.5, 31.2\) mm cannot be obeyed: the surface of one piece does not get there")
 
+    def test_a_file_of_no_points_is_a_warning(self):
+        for content in ("", "kind,x,y,z,radius\n"):
+            process = self.segment("--points", self.file("none.csv", content), "-o", self.result("none.stl"))
+            self.assertEqual(process.returncode, 0)
+            self.assertRegex(process.stderr, r"\Aflipfree: warning: '[^\n]*none\.csv' holds no points, so nothing is corrected[^\n]*\n\Z")
+
     def test_what_is_wrong_is_named(self):
         out = ("-o", self.result("bad.stl"))
         for status, arguments, patterns in (
@@ -139,7 +145,7 @@ class TestCorrections(command.CommandTest):
                 (1, ("--outside", *self.seed[1:4]), ("the outside point", "inner half of the seed sphere")),
                 (1, ("--no-guard", "--inside", 32, 32, 34), ("switch --guard on",)),
                 (1, ("--points", self.file("a.csv", "kind,x,y,z\nabove,1,2,3\n")), ("a.csv", "line 2", "'above'")),
-                (1, ("--points", self.file("b.csv", "inside,1,2\n")), ("b.csv", "line 1", "cells separated by commas: 3")),
+                (1, ("--points", self.file("b.csv", "inside,1,2\n")), ("b.csv", "line 1", "3 cells; needed are kind, x, y, z")),
                 (1, ("--points", self.file("c.csv", "inside,1,2,3mm\n")), ("c.csv", "'3mm' is not a number")),
                 (1, ("--points", self.file("d.csv", "seed,1,2,3\n")), ("d.csv", "no radius")),
                 (1, ("--points", self.file("a.mrk.json", "{")), ("a.mrk.json", "3D Slicer")),

@@ -85,6 +85,28 @@ class TestSeries(command.CommandTest):
         self.assertRegex(process.stderr, r"\Aflipfree: warning: In the folder '[^']+', 1 file is left out: 1 the same slice "
                                          r"again \('a012 \(1\)'\)\.\n\Z")
 
+    def test_a_cd_with_a_damaged_directory(self):
+        disk = os.path.join(self.inputs, "disk")
+        shutil.rmtree(disk, ignore_errors=True)
+        shutil.copytree(self.folder, os.path.join(disk, "IMAGES", "S1"))
+        self.assert_refused(command.run("series", disk), 1, "holds no DICOM image")
+        with open(os.path.join(disk, "DICOMDIR"), "wb") as file:
+            file.write(bytes(128) + b"DICM" + b"\2\0")
+        process = command.run("series", disk)
+        self.assert_succeeds(process)
+        self.assertEqual([line.split()[0] for line in process.stdout.splitlines()[1:]], [FIRST, SECOND])
+
+    def test_bits_that_are_not_where_the_header_says(self):
+        for name in os.listdir(self.folder):
+            path = os.path.join(self.folder, name)
+            with open(path, "rb") as file:
+                data = file.read()
+            stored = dicom.element(0x28, 0x101, "US", 16)
+            self.assertIn(stored, data)
+            with open(path, "wb") as file:
+                file.write(data.replace(stored, dicom.element(0x28, 0x101, "US", 12)))  # HighBit stays 15
+        self.assert_refused(self.segment(), 1, "HighBit is 15, not BitsStored - 1", "Export")
+
     def test_refusals(self):
         self.assert_refused(self.segment("--series", "9.9"), 1, "holds no series '9.9'", FIRST, SECOND)
         self.assert_refused(self.segment("--series", FIRST + "#2"), 1, f"holds no series '{FIRST}#2'")

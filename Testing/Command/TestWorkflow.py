@@ -155,6 +155,11 @@ class TestWorkflow(command.CommandTest):
         self.assertEqual(none.returncode, 0)
         self.assertRegex(none.stderr, r"\Aflipfree: warning: The reference has the labels 1, 2, 3, .*"
                                       r"set --reference-label\.\n\Z")
+        several = command.run("evaluate", self.result("abdomen-truth.nii.gz"), self.result("liver.nrrd"),
+                              "--reference-label", 6)
+        self.assertEqual(several.returncode, 0)
+        self.assertRegex(several.stderr, r"\Aflipfree: warning: The segmentation has the labels 1, 2, 3, .*"
+                                         r"set --segmentation-label\.\n\Z")
         wrong = command.run("evaluate", self.result("liver.nrrd"), self.result("abdomen-truth.nii.gz"),
                             "--reference-label", 99)
         self.assertEqual(wrong.returncode, 1)

@@ -9,6 +9,8 @@
 
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkShortArray.h"
@@ -500,7 +502,8 @@ TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
   metrics->SetReferenceData(several);
   metrics->Update();
   ASSERT_EQ(warnings.size(), 1U);
-  for (const char* part : { "labels 1, 2, 3, ", ", 20 and more", "set ReferenceLabel" })
+  for (const char* part :
+    { "The reference has the labels 1, 2, 3, ", ", 20 and more", "set ReferenceLabel" })
   {
     EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
   }
@@ -509,28 +512,75 @@ TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
   metrics->SetReferenceLabel(-1);
   metrics->SetInputData(several); // both of the same kind
   metrics->Update();
-  metrics->SetReferenceData(one);
-  metrics->Update();
   EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST(SegmentationMetrics, WarnOfAReferenceThatIsNoLabelMap)
+TEST(SegmentationMetrics, WarnOfASegmentationOfSeveralLabels)
+{
+  const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
+  const auto several = LabelMapOf(Sphere(6, Center, 10), Grid());
+  several->GetPointData()->GetScalars()->SetComponent(2, 0, 2);
+  vtkNew<vtkSegmentationMetrics> metrics;
+  std::vector<std::string> warnings;
+  FlipFree::KeepWarnings(metrics, warnings);
+  metrics->SetInputData(several);
+  metrics->SetReferenceData(one);
+  metrics->Update();
+  metrics->SetReferenceData(several); // of which one label is chosen
+  metrics->SetReferenceLabel(1);
+  metrics->Update();
+  ASSERT_EQ(warnings.size(), 2U);
+  for (const std::string& warning : warnings)
+  {
+    for (const char* part : { "The segmentation has the labels 1, 2;", "set SegmentationLabel" })
+    {
+      EXPECT_NE(warning.find(part), std::string::npos) << warning;
+    }
+  }
+  metrics->SetSegmentationLabel(1);
+  metrics->Update();
+  EXPECT_EQ(warnings.size(), 2U);
+}
+
+TEST(SegmentationMetrics, WarnOfWhatIsNoLabelMap)
 {
   const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
   const auto scan = LabelMapOf(Sphere(6, Center, 10), Grid(), -1000);
   scan->GetPointData()->GetScalars()->SetComponent(5, 0, 40);
-  vtkNew<vtkSegmentationMetrics> metrics;
-  std::vector<std::string> warnings;
-  FlipFree::KeepWarnings(metrics, warnings);
-  metrics->SetInputData(one);
-  metrics->SetReferenceData(scan);
-  metrics->Update();
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find(
-              "the values -1000, which are not valid labels; every nonzero voxel counts as "
-              "inside; give it a label map, or set ReferenceLabel to one of 40."),
-    std::string::npos)
-    << warnings[0];
+  vtkNew<vtkImageData> fractions;
+  fractions->DeepCopy(one);
+  vtkNew<vtkFloatArray> values;
+  values->DeepCopy(one->GetPointData()->GetScalars());
+  values->SetValue(7, 0.25F);
+  values->SetValue(8, 0.5F);
+  fractions->GetPointData()->SetScalars(values);
+  for (const auto& [image, said] :
+    { std::make_pair(scan.Get(), "-1000"), std::make_pair(fractions.Get(), "0.25, 0.5") })
+  {
+    for (const bool isReference : { true, false })
+    {
+      const std::string name =
+        isReference ? "the reference on port 1" : "the segmentation on port 0";
+      vtkNew<vtkSegmentationMetrics> metrics;
+      std::vector<std::string> warnings;
+      FlipFree::KeepWarnings(metrics, warnings);
+      metrics->SetInputData(isReference ? one.Get() : image);
+      metrics->SetReferenceData(isReference ? image : one.Get());
+      metrics->Update();
+      const int label = image == scan ? 40 : 1;
+      isReference ? metrics->SetReferenceLabel(label) : metrics->SetSegmentationLabel(label);
+      metrics->Update();
+      ASSERT_EQ(warnings.size(), 2U);
+      const std::string beginning =
+        "Of the values of " + name + ", " + said + " are not valid labels; ";
+      EXPECT_NE(warnings[0].find(beginning + "every nonzero voxel counts as inside; give"),
+        std::string::npos)
+        << warnings[0];
+      EXPECT_NE(warnings[1].find(beginning + "only a voxel of exactly " + std::to_string(label)),
+        std::string::npos)
+        << warnings[1];
+    }
+  }
 }
 
 class SegmentationMetricsRefuse : public testing::Test

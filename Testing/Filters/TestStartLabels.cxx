@@ -2,10 +2,12 @@
 #include "BadInput.h"
 
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -194,6 +196,36 @@ TEST(StartLabels, ThatAreHollowGiveAWarningOfWhatTheSurfaceAdds)
   EXPECT_NE(warnings[0].find("The surface encloses 16"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find(" ml, but the start labels on port 3 have 10"), std::string::npos)
     << warnings[0];
+}
+
+TEST(StartLabels, ThatAreProbabilitiesGiveAWarning)
+{
+  const auto labels = LabelsOfShape(IsInPear);
+  vtkNew<vtkFloatArray> probabilities;
+  probabilities->DeepCopy(labels->GetPointData()->GetScalars());
+  for (vtkIdType voxel = 0; voxel < 10; ++voxel)
+  {
+    probabilities->SetValue(voxel, 0.1F * static_cast<float>(voxel));
+  }
+  labels->GetPointData()->SetScalars(probabilities);
+  for (const int label : { 3, 0 })
+  {
+    const auto filter = MakeFilter(labels);
+    filter->SetStartLabel(label);
+    std::vector<std::string> warnings;
+    KeepWarnings(filter, warnings);
+    filter->Update();
+    const std::string text =
+      label == 0 ? "every nonzero voxel is filled" : "only a voxel of exactly 3";
+    const auto count = std::count_if(warnings.begin(), warnings.end(),
+      [&text](const std::string& warning)
+      {
+        return warning.find("the start labels on port 3") != std::string::npos &&
+          warning.find("are not valid labels") != std::string::npos &&
+          warning.find(text) != std::string::npos;
+      });
+    EXPECT_EQ(count, 1);
+  }
 }
 
 TEST(StartLabels, ThatCannotBeUsedAreRefused)

@@ -3,6 +3,7 @@
 
 #include "ItkVtkBridge.h"
 
+#include "ExampleDicom.h"
 #include "ExampleImages.h"
 
 #include "vtkErrorCode.h"
@@ -382,6 +383,59 @@ TEST(TestDicomSeries, ASingleFileAsksForItsFolder)
   vtkNew<vtkMedicalImageReader> reader;
   reader->SetFileName((folder / "a0.dcm").c_str());
   ExpectRefusal(reader, { "a0.dcm", "folder" });
+}
+
+TEST(TestDicomSeries, AFileOfSeveralFramesIsAVolume)
+{
+  ExampleImages::Folder folder;
+  std::vector<ExampleDicom::Frame> frames;
+  std::vector<int> values;
+  for (int slice = 0; slice < 5; ++slice)
+  {
+    frames.push_back({ "10\\20\\" + std::to_string(3 * slice) });
+    values.insert(values.end(), 12, 100 * slice);
+  }
+  ExampleDicom::Options options;
+  options.Pixels = ExampleDicom::Shorts(values);
+  ExampleImages::WriteBytes(folder / "enhanced.dcm",
+    ExampleDicom::FileOf(ExampleDicom::Enhanced(options, frames)));
+  WriteSeries(ObliqueImage(), folder); // of which nothing is said
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName((folder / "enhanced.dcm").c_str());
+  ExampleImages::Errors errors(reader);
+  reader->Update();
+  EXPECT_EQ(errors.Count(), 0);
+  EXPECT_EQ(errors.Warning(), "");
+  int size[3];
+  reader->GetOutput()->GetDimensions(size);
+  EXPECT_EQ(size[2], 5);
+  EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(0, 0, 4, 0), 400);
+  EXPECT_EQ(std::string(reader->GetChosenSeriesUID()), options.Series);
+  ASSERT_TRUE(reader->FindSeries());
+  EXPECT_EQ(reader->GetNumberOfSeries(), 1);
+  reader->SetSeriesUID("9.9");
+  ExpectRefusal(reader, { "The file", "enhanced.dcm", "holds no series '9.9'" });
+}
+
+TEST(TestDicomSeries, FoldersBesideADirectoryAreSearched)
+{
+  ExampleImages::Folder folder;
+  auto image = ObliqueImage();
+  std::filesystem::create_directories(folder / "IMAGES/S1");
+  SeriesOptions options;
+  options.Prefix = "IMAGES/S1/a";
+  WriteSeries(image, folder, options);
+  ExpectRefusal(ReaderOf(folder), { "no DICOM image" });
+  for (const char* name : { "DICOMDIR", "dicomdir" })
+  {
+    ExampleImages::WriteBytes(folder / name, "damaged");
+    auto reader = ReaderOf(folder);
+    ExampleImages::Errors errors(reader);
+    reader->Update();
+    EXPECT_EQ(errors.Warning(), "");
+    ExampleImages::ExpectSameVoxels(reader->GetOutput(), image);
+    std::filesystem::remove(folder / name);
+  }
 }
 
 TEST(TestDicomSeries, TruncatedAtAnyPlace)

@@ -217,6 +217,19 @@ TEST(DicomPixels, DecodedBitsBeyondTheStoredOnesAreNoticed)
   EXPECT_FALSE(HasOnlyStoredBits(wide, Format(32, 31, 30, false)));
 }
 
+TEST(DicomPixels, BitsBelowTheStoredOnesAreNoticed)
+{
+  const auto has = [](std::vector<int> values, int highBit)
+  { return HasBitsBelowStoredOnes(ExampleDicom::Shorts(values), Format(16, 12, highBit, true)); };
+  EXPECT_FALSE(has({ 0x0FFF, 1, 0xFFFF }, 11)); // there are none
+  EXPECT_FALSE(has({ 0, 0xFFF0, 0x0010 }, 15));
+  EXPECT_TRUE(has({ 0x0010, 0x0008 }, 15));
+  EXPECT_TRUE(has({ 1 }, 12));
+  const std::string wide(4, '\xFF');
+  EXPECT_FALSE(HasBitsBelowStoredOnes(wide, Format(32, 32, 31, false)));
+  EXPECT_TRUE(HasBitsBelowStoredOnes(wide, Format(32, 1, 31, false)));
+}
+
 TEST(DicomPixels, ATinyFileOfGiantRowsIsRefused)
 {
   const auto why = [](const std::string& process, int side, std::size_t size)

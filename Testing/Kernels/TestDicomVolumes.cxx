@@ -375,6 +375,77 @@ TEST(DicomVolumes, WhatIsNoSliceIsLeftOutAndCounted)
       "2 without gray values", "1 in colors ('colors.dcm')", "1 without a place", "1 a scout" });
 }
 
+TEST(DicomVolumes, ASliceOfAnotherGridIsNamedWhereOneIsMissing)
+{
+  const auto read = [](const std::function<void(ExampleDicom::Options&)>& change, int count)
+  {
+    ExampleFolder folder;
+    folder.AddSeries("a", 12);
+    for (int slice = 4; slice < 4 + count; ++slice)
+    {
+      ExampleDicom::Options other;
+      change(other);
+      folder.Remove("a" + std::to_string(11 - slice) + ".dcm");
+      folder.AddSlice("b" + std::to_string(slice) + ".dcm", 3. * slice, other);
+    }
+    return folder.Read();
+  };
+  const auto resize = [](ExampleDicom::Options& other) { other.Columns = 7; };
+  const auto space = [](ExampleDicom::Options& other) { other.Spacing = R"(2\1.5)"; };
+  const auto turn = [](ExampleDicom::Options& other)
+  { other.Orientation = R"(0.8\0.6\0\-0.6\0.8\0)"; };
+  for (const int count : { 1, 2 })
+  {
+    const std::string missing = count == 1 ? "1 slice is missing" : "2 slices are missing";
+    ExpectRefusal(read(resize, count),
+      { missing, "A missing slice may be 'b4.dcm', which has 7 x 3 pixels, not 4 x 3" });
+    ExpectRefusal(read(space, count),
+      { missing, "'b4.dcm', which has pixels of 1.5 x 2 mm, not 1 x 2 mm" });
+    ExpectRefusal(read(turn, count),
+      { missing, "'b4.dcm', which has axes that are turned by 36.8" });
+  }
+  // A scout is none.
+  const DicomFolder found = read(
+    [](ExampleDicom::Options& other)
+    {
+      other.Columns = 7;
+      other.ImageType = R"(ORIGINAL\PRIMARY\LOCALIZER)";
+    },
+    1);
+  EXPECT_EQ(WhyRefused(found).find("may be"), std::string::npos) << WhyRefused(found);
+}
+
+TEST(DicomVolumes, FewSlicesOfAnotherGridAreLeftOutAndSaidHow)
+{
+  ExampleFolder folder;
+  folder.AddSeries("a", 12);
+  ExampleDicom::Options other;
+  other.Rows = 5;
+  folder.AddSlice("b.dcm", 40, other);
+  const DicomFolder one = folder.Read();
+  ExpectWords(WarningOfLeftOut(one, ChooseDicomVolume(one, "")),
+    { "1 file is left out", "'b.dcm' has 4 x 5 pixels, not 4 x 3" });
+  folder.AddSlice("c.dcm", 43, other);
+  const DicomFolder two = folder.Read();
+  ExpectWords(WarningOfLeftOut(two, ChooseDicomVolume(two, "")),
+    { "2 slices belong to other volumes", "#2 (4 x 5 pixels, not 4 x 3)" });
+}
+
+TEST(DicomVolumes, ADirectoryIsNoSliceHoweverDamaged)
+{
+  ExampleDicom::DataSet directory;
+  directory.Add(0x00080016, "UI", "1.2.840.10008.1.3.10");
+  directory.Add(0x00041130, "CS", "EXAMPLE");
+  const std::string whole = ExampleDicom::FileOf(directory);
+  for (std::size_t size = 0; size <= whole.size(); ++size)
+  {
+    ExampleFolder folder;
+    folder.AddSeries("a", 4);
+    folder.Add("DICOMDIR", whole.substr(0, size));
+    EXPECT_EQ(WhyRefused(folder.Read()), "") << size;
+  }
+}
+
 TEST(DicomVolumes, ADamagedFileOfTheSeriesIsAnError)
 {
   ExampleFolder folder;
@@ -699,6 +770,50 @@ TEST(DicomVolumes, CompressedPixelsOfMoreBitsThanTheFileSays)
   catch (const FileProblem& problem)
   {
     ExpectWords(problem.what(), { "'a0'", "12 of its BitsStored", "Export" });
+  }
+}
+
+TEST(DicomVolumes, PixelsThatAreNotWhereHighBitSays)
+{
+  // At the top, as older editions of the standard allow; and at the bottom in spite of HighBit.
+  for (const int factor : { 16, 1 })
+  {
+    ExampleFolder folder;
+    for (int slice = 0; slice < 2; ++slice)
+    {
+      ExampleDicom::Options options;
+      options.Stored = 12;
+      options.HighBit = 15;
+      options.Instance += std::to_string(slice);
+      options.Position = "0\\0\\" + std::to_string(3 * slice);
+      options.Pixels = ExampleDicom::Shorts(std::vector<int>(12, factor * (100 + slice)));
+      folder.Add("a" + std::to_string(slice), ExampleDicom::FileOf(ExampleDicom::Slice(options)));
+    }
+    const DicomAccess access = AccessInMemory(folder);
+    const auto goOn = [](double) { return true; };
+    const DicomFolder found = ReadDicomFolder("folder", folder.Names, access, goOn);
+    const DicomVolume& volume = ChooseDicomVolume(found, "");
+    ASSERT_EQ(volume.Type, VoxelType::Int16);
+    std::vector<std::int16_t> voxels(24);
+    std::string refusal;
+    try
+    {
+      ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
+    }
+    catch (const FileProblem& problem)
+    {
+      refusal = problem.what();
+    }
+    if (factor > 1)
+    {
+      EXPECT_EQ(refusal, "");
+      EXPECT_EQ(voxels.front(), 100);
+      EXPECT_EQ(voxels.back(), 101);
+    }
+    else
+    {
+      ExpectWords(refusal, { "'a0'", "HighBit is 15", "BitsStored - 1 (11)", "Export" });
+    }
   }
 }
 

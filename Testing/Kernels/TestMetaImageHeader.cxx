@@ -87,6 +87,19 @@ TEST(MetaImageHeader, OneWarningSaysAllThatWasTaken)
   EXPECT_TRUE(ReadMetaImage(bytes).Warnings.empty());
 }
 
+TEST(MetaImageHeader, NamesOfAxesAreSeen)
+{
+  const std::string others =
+    "ElementSpacing = 2 2 2\nOffset = 1 2 3\nElementByteOrderMSB = False\n";
+  const auto warnings = [&others](const std::string& names)
+  { return ReadMetaImage(MetaImageFile(others + "AnatomicalOrientation = " + names)).Warnings; };
+  EXPECT_TRUE(warnings("RAI\n").empty()); // which says what is taken
+  ASSERT_EQ(warnings("LPS\n").size(), 1U);
+  EXPECT_NE(warnings("LPS\n")[0].find("other than by names (AnatomicalOrientation)"),
+    std::string::npos);
+  EXPECT_TRUE(warnings("LPS\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n").empty());
+}
+
 TEST(MetaImageHeader, NegativeSpacingsAreRefused)
 {
   ExpectMetaImageRefusal(MetaImageFile("ElementSpacing = 2 -2 2\n"),

@@ -135,11 +135,15 @@ TEST(NiftiHeader, AnSformThatCannotBeInvertedGivesWayToTheQform)
 {
   Eigen::Matrix<float, 3, 4> affine;
   affine << -2, 0, 0, 70, 0, 0, 0, 150, 0, 0, 3, 300;
-  for (const std::string& bytes : { WithAffine(UprightFile(), 1, affine),
-         NiftiWith(UprightFile(), 280, NiftiNaN), NiftiWith(UprightFile(), 292, 3e38F) })
+  for (const auto& [bytes, reason] :
+    { std::make_pair(WithAffine(UprightFile(), 1, affine), "srow_y holds zeros"),
+      std::make_pair(NiftiWith(UprightFile(), 280, NiftiNaN), "srow_x[0] is nan"),
+      std::make_pair(NiftiWith(UprightFile(), 292, 2e9F), "srow_x[3] is 2e+09, beyond 1e+09 mm") })
   {
     EXPECT_LT(GreatestShift(ReadNifti(bytes).Geometry, UprightNifti()), 1e-4);
-    EXPECT_TRUE(NiftiSays(NiftiWarnings(bytes), "The sform of 'image.nii' cannot be used"));
+    EXPECT_TRUE(NiftiSays(NiftiWarnings(bytes),
+      std::string("The sform of 'image.nii' cannot be used: ") + reason))
+      << NiftiWarnings(bytes);
   }
   const std::string alone = NiftiWith<std::int16_t>(WithAffine(UprightFile(), 1, affine), 252, 0);
   ExpectNiftiRefusal(alone, "srow_y holds zeros");

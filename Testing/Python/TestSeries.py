@@ -1,5 +1,6 @@
 """A folder of DICOM files: what is in it, and which series is read."""
 
+import json
 import os
 import sys
 import tempfile
@@ -43,6 +44,35 @@ class TestSeries(unittest.TestCase):
                 numpy.testing.assert_array_equal(flipfree.array_from_image(image), expected)
         with self.assertRaisesRegex(flipfree.FileError, f"no series '9.9'. It holds {FIRST}"):
             flipfree.read_image(self.folder, series="9.9")
+
+    def test_of_a_segmentation(self):
+        """It is chosen by its name, and the result says which it was."""
+        ball = flipfree.phantom("sphere", dimensions=(48, 48, 32), spacing=(1, 1, 1.6))
+        voxels = flipfree.array_from_image(ball.image)
+        with tempfile.TemporaryDirectory() as folder:
+            dicom.write_series(folder, voxels, (1, 1, 1.6), (0, 0, 0), FIRST, "a")
+            dicom.write_series(folder, voxels[:-1] + 300, (1, 1, 1.6), (0, 0, 0), SECOND, "b")
+            seed = ((23.5, 23.5, 24.8), 8)
+            small = {"resolution": 8, "levels": 1}
+            for name, read in ((None, FIRST), (SECOND, SECOND)):
+                organ = flipfree.segment(folder, *seed, series=name, **small)
+                self.assertEqual(json.loads(organ.provenance)["image"]["series"], read)
+                better = organ.corrected(inside=[seed[0]])
+                self.assertEqual(json.loads(better.provenance)["image"]["series"], read)
+            organs = flipfree.segment_organs(folder, {"ball": seed}, series=SECOND, **small)
+            self.assertEqual(json.loads(organs["ball"].provenance)["image"]["series"], SECOND)
+            with self.assertRaisesRegex(flipfree.FileError, "no series '9.9'"):
+                flipfree.segment(folder, *seed, series="9.9")
+        with self.assertRaisesRegex(TypeError, "^series: it chooses what is read of a folder"):
+            flipfree.segment(ball.image, *seed, series=FIRST)
+        self.assertNotIn("series", json.loads(flipfree.segment(ball.image, *seed, **small).provenance)["image"])
+
+    def test_of_other_files_there_is_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ball.nii.gz")
+            flipfree.write_image(flipfree.phantom("sphere", dimensions=(8, 8, 8)).image, path)
+            with self.assertRaisesRegex(flipfree.FileError, "ball.nii.gz' holds no DICOM series"):
+                flipfree.read_image(path, series=FIRST)
 
     def test_what_is_left_out_is_a_warning(self):
         (self.folder / "page.dcm").write_text("<html>")

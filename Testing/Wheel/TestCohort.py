@@ -28,6 +28,7 @@ except ImportError as error:
     sys.exit(77)
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "Support"))
+import dicom  # pylint: disable=wrong-import-position
 import lobed_ball  # pylint: disable=wrong-import-position
 
 COMMAND = str(Path(sys.executable).parent / "flipfree")
@@ -163,22 +164,23 @@ class Local(CohortTest):
         """Workers of its own; each kind of row that fails; all the files there are."""
         good = self.rows(1, reference="truth.nii.gz", reference_label=1, comment="kept, as it is")
         bad = {
-            "gone": ({"volume": "gone.nii.gz"}, r"'.*gone\.nii\.gz' does not exist"),
-            "text": ({"volume": "table.csv"}, r"The format of '.*table\.csv' is unknown"),
-            "away": ({"seed_x": 900}, r"No segmentation: the seed's center \(900, .*lies outside"),
+            "gone": ({"volume": "gone.nii.gz"}, r"^row 3, column volume: '.*gone\.nii\.gz' does not exist"),
+            "text": ({"volume": "table.csv"}, r"^row 4, column volume: The format of '.*table\.csv' is unknown"),
+            "away": ({"seed_x": 900}, r"^row 5, columns seed_x, seed_y, seed_z and radius: No segmentation: the seed's center \(900, .*lies outside"),
             "word": ({"radius": "big"}, "radius: a number is needed, not 'big'"),
             "none": ({"seed_y": ""}, "seed_y: the cell is empty"),
-            "many": ({"levels": 99}, "levels: 99 is out of range"),
+            "many": ({"levels": 99}, "^row 8, column levels: 99 is out of range"),
             "half": ({"levels": 1.5}, "levels: a whole number is needed, not '1.5'"),
             "odd": ({"preset": "fast"}, "preset: 'fast' does not exist"),
-            "label": ({"reference_label": 7}, r"reference.*\b7\b"),
+            "label": ({"reference_label": 7}, r"^row 11, columns reference and reference_label: .*\b7\b"),
         }
         rows = [*good, *({**good[0], "organ": name, **change} for name, (change, _) in bad.items())]
         process = subprocess.run([COMMAND, "cohort", self.table(rows), "-o", self.out, "--workers", "1"],
                                  capture_output=True, text=True, timeout=300, check=False)
         self.assertRegex(process.stdout, r"\A11 rows: 2 segmented, 0 kept, 9 failed; \d+\.\d s; see .*report\.html\n\Z")
-        self.assertRegex(process.stderr, r"\Aflipfree: error: row 3: '.*gone\.nii\.gz' does not exist.*\n"
-                         r"flipfree: error: row 4: The format of .*\nflipfree: error: row 5: No segmentation: .*\n"
+        self.assertRegex(process.stderr, r"\Aflipfree: error: row 3: column volume: '.*gone\.nii\.gz' does not exist.*\n"
+                         r"flipfree: error: row 4: column volume: The format of .*\n"
+                         r"flipfree: error: row 5: columns seed_x, seed_y, seed_z and radius: No segmentation: .*\n"
                          r"flipfree: error: 9 of 11 rows failed\. Their messages are in .*csv'.*\.\n\Z")
         self.assertEqual(process.returncode, 1)
         found = list(csv.DictReader((self.out / "cohort.csv").read_text(encoding="utf-8").splitlines()))
@@ -188,6 +190,33 @@ class Local(CohortTest):
                 self.assertRegex(row["message"], message)
         self.check_files(found, good)
         self.check_report(found)
+
+    def test_series(self):
+        """The column chooses; a result says what was read, and a series of several volumes is refused."""
+        folder = self.folder / "dicom"
+        folder.mkdir()
+        ball = flipfree.phantom("sphere", **GRID)
+        first, second = "1.2.826.0.1.3680043.2.1143.81.1", "1.2.826.0.1.3680043.2.1143.81.2"
+        dicom.write_series(folder, ball.image.voxels, ball.image.spacing, ball.image.origin, first, "a")
+        dicom.write_series(folder, ball.image.voxels[1:-1] + 300, ball.image.spacing, ball.image.origin, second, "b")
+        twice = self.folder / "twice"
+        twice.mkdir()
+        for rows, prefix in ((-1, "a"), (-2, "b")):
+            dicom.write_series(twice, ball.image.voxels[:, :rows], ball.image.spacing, ball.image.origin, first, prefix)
+        (x, y, z), radius = ball.seeds[1]
+        row = {"volume": folder, "seed_x": x, "seed_y": y, "seed_z": z, "radius": radius, **COARSE}
+        rows = [{**row, "organ": "a"}, {**row, "organ": "b", "series": second}, {**row, "organ": "c", "series": "9.9"},
+                {**row, "organ": "d", "volume": twice}, {**row, "organ": "e", "volume": twice, "series": first + "#2"}]
+        cohort = flipfree.cohort(self.table(rows), self.out, workers=1)
+        self.assertEqual([row["series_read"] for row in cohort.rows], [first, second, None, None, first + "#2"])
+        self.assertRegex(cohort.rows[2]["message"], "^row 3, columns volume and series: .*holds no series '9.9'")
+        self.assertRegex(cohort.rows[3]["message"], f"^row 4, column volume: .*2 volumes: .*as the series, for instance {first}#1")
+        self.assertEqual(len(cohort.failed), 2)
+        self.assertEqual(flipfree.cohort(self.table(rows), self.out, workers=1).kept, 3)
+        record = json.loads((self.out / cohort.rows[1]["surface"]).parent.joinpath("row.json").read_text())
+        self.assertEqual(record["request"]["series"], second)
+        codes = " ".join(map(str, f'"series":"{second}"'.encode()))  # as a VTP file spells texts
+        self.assertTrue(codes in (self.out / cohort.rows[1]["surface"]).read_text(encoding="utf-8"))
 
     def test_the_table_is_not_overwritten(self):
         self.out.mkdir(parents=True, exist_ok=True)
@@ -415,7 +444,11 @@ class WrongInput(CohortTest):
     def test_tables(self):
         for message, table in (
                 ("'table' lacks the columns volume, seed_x.* Vessels have points in their place", [{"radius": 3}]),
-                ("'table' lacks the columns volume; it has points.$", [{"points": "1 2 3; 4 5 6"}]),
+                ("'table' lacks the column volume; it has points.$", [{"points": "1 2 3; 4 5 6"}]),
+                ("'table' lacks the column radius; it has", [{name: 1 for name in self.ROW if name != "radius"}]),
+                ("'levles' is nearly 'levels'", [{**self.ROW, "levles": 2}]),
+                ("'levals' is nearly 'levels'", [{**self.ROW, "levals": 2}]),
+                ("'serie' is nearly 'series'", [{**self.ROW, "serie": "1.2"}]),
                 ("'correction' is nearly 'corrections'", [{**self.ROW, "correction": "a.csv"}]),
                 ("rows 1 and 2 are all called", [{"volume": "a.nii", "points": "1 2 3; 4 5 6"}] * 2),
                 ("has the name of a result", [{**self.ROW, "Dice": 1}]),

@@ -221,6 +221,30 @@ class Work(unittest.TestCase):
         self.assertEqual(run("segment", "-o", self.folder / "bad.ply").returncode, 2)
         self.assertFalse((self.folder / "bad.ply").exists())
 
+    def test_wrong_values_in_the_same_words(self):
+        """Status and message are the toolkit's."""
+        path = self.folder / "session.json"
+        image = {"name": self.volume.name, "size": [48, 48, 32], "spacing": [1, 1, 1.6], "origin": [0, 0, 0],
+                 "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+        session = {"format": "flipfree-session", "version": 2, "image": image}
+        cases = [({}, ("segment", self.volume, *self.seed, "--threads", number), 2, f"--threads: {number} is out of range. Give 0 to 1024")
+                 for number in (-2, 1025)]
+        cases += [(content, ("segment", "--session", path), 1, message) for content, message in (
+            ({}, "key 'format' not found"), (session, "key 'organs' not found"),
+            ({**session, "organs": [{"name": "a", "preset": "default", "parameters": {}}]}, "organ 1: key 'seed' not found"))]
+        for content, arguments, status, message in cases:
+            path.write_text(json.dumps(content), encoding="utf-8")
+            found = [run(*arguments, "-o", self.folder / "never.stl", program=program) for program in (OURS, TOOLKIT)]
+            with self.subTest(message):
+                self.assertEqual([process.returncode for process in found], [status, status])
+                self.assertEqual(found[0].stderr, found[1].stderr)
+                self.assertIn(message, found[0].stderr)
+        path.write_text(json.dumps({**session, "organs": 7}), encoding="utf-8")
+        self.assertNotRegex(run("segment", "--session", path, "-o", self.folder / "never.stl").stderr, r"Error\(|object")
+        process = run("cohort", "table.csv", "-o", self.folder / "never", "--threads", 0)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr, "--threads: 0 is out of range")
+
     def test_session_with_corrections_and_vessels(self):
         """The same by both commands, and the same words where it is wrong."""
         run("phantom", "vessel", "-o", self.folder, "--size", 64, 64, 64, "--spacing", 1.5, 1.5, 1.5)

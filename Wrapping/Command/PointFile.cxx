@@ -1,8 +1,11 @@
 #include "PointFile.h"
 
 #include "Failure.h"
+#include "Messages.h"
 #include "OutputFile.h"
 #include "PointText.h"
+
+#include "Exchange/PointTable.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 
 namespace Command
@@ -22,43 +26,12 @@ namespace
 using FlipFree::ConstraintKind;
 using Json = nlohmann::json;
 
-/// In the order of ConstraintKind.
-constexpr std::array<const char*, 4> KindNames{ { "outside", "inside", "boundary", "seed" } };
-
 /// In millimeters: points of a stroke that are nearer than this are one.
 constexpr double SamePlace = 1e-3;
 
-/// The first line may name the columns.
-bool IsHeader(const std::vector<std::string>& cells)
+std::array<double, 3> CoordinatesOf(const Eigen::Vector3d& place)
 {
-  if (Lower(cells.front()) != "kind")
-  {
-    return false;
-  }
-  if (!AreColumns(cells, { "kind", "x", "y", "z" }) &&
-    !AreColumns(cells, { "kind", "x", "y", "z", "radius" }))
-  {
-    throw Failure("the columns are kind, x, y, z and, for seeds, radius, in this order");
-  }
-  return true;
-}
-
-CorrectionPoint PointOfLine(const std::vector<std::string>& cells)
-{
-  if (cells.size() < 4 || cells.size() > 5)
-  {
-    throw Failure("cells separated by commas: " + std::to_string(cells.size()) +
-      "; needed are kind, x, y, z and, of a seed, radius");
-  }
-  CorrectionPoint point;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    point.Place[axis] = PointNumberOf(cells[axis + 1]);
-  }
-  point.Radius = cells.size() == 5 && !cells[4].empty() ? PointNumberOf(cells[4]) : 0;
-  point.Kind = KindOf(Lower(cells[0]));
-  RequireRadius(point);
-  return point;
+  return { { place[0], place[1], place[2] } };
 }
 
 CorrectionPoint PointOfControl(const std::string& words, const std::array<double, 3>& place)
@@ -86,37 +59,14 @@ CorrectionPoint PointOfControl(const std::string& words, const std::array<double
   return point;
 }
 
-bool IsHeaderOfStroke(const std::vector<std::string>& cells)
-{
-  if (Lower(cells.front()) != "x")
-  {
-    return false;
-  }
-  if (!AreColumns(cells, { "x", "y", "z" }))
-  {
-    throw Failure("the columns are x, y, z, in this order");
-  }
-  return true;
-}
-
-std::array<double, 3> PlaceOfLine(const std::vector<std::string>& cells)
-{
-  if (cells.size() != 3)
-  {
-    throw Failure(
-      "cells separated by commas: " + std::to_string(cells.size()) + "; needed are x, y, z");
-  }
-  return { { PointNumberOf(cells[0]), PointNumberOf(cells[1]), PointNumberOf(cells[2]) } };
-}
-
 std::string TableOf(const std::vector<CorrectionPoint>& points)
 {
   std::string text = "kind,x,y,z,radius\n";
   for (const CorrectionPoint& point : points)
   {
     char line[160];
-    std::snprintf(line, sizeof(line), "%s,%.17g,%.17g,%.17g,", KindName(point.Kind), point.Place[0],
-      point.Place[1], point.Place[2]);
+    std::snprintf(line, sizeof(line), "%s,%.17g,%.17g,%.17g,", FlipFree::NameOf(point.Kind),
+      point.Place[0], point.Place[1], point.Place[2]);
     text += line;
     if (point.Kind == ConstraintKind::Seed)
     {
@@ -135,7 +85,7 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
   {
     std::ostringstream label;
     label.precision(17);
-    label << KindName(point.Kind);
+    label << FlipFree::NameOf(point.Kind);
     if (point.Kind == ConstraintKind::Seed)
     {
       label << " " << point.Radius;
@@ -155,19 +105,14 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
 
 } // namespace
 
-const char* KindName(ConstraintKind kind)
-{
-  return KindNames.at(static_cast<std::size_t>(kind));
-}
-
 ConstraintKind KindOf(const std::string& name)
 {
-  const auto found = std::find(KindNames.begin(), KindNames.end(), name);
-  if (found == KindNames.end())
+  const std::optional<ConstraintKind> kind = FlipFree::KindNamed(name);
+  if (!kind)
   {
     throw Failure("the kind is '" + name + "'; it can be outside, inside, boundary or seed");
   }
-  return static_cast<ConstraintKind>(found - KindNames.begin());
+  return *kind;
 }
 
 void RequireRadius(const CorrectionPoint& point)
@@ -183,11 +128,20 @@ std::vector<CorrectionPoint> ReadPoints(const std::string& name)
   std::vector<CorrectionPoint> points;
   PointReader reader;
   reader.Columns = "kind, x, y, z and radius";
-  reader.IsHeader = IsHeader;
-  reader.TakeCells = [&points](const auto& cells) { points.push_back(PointOfLine(cells)); };
+  reader.TakeTable = [&](const std::string& text)
+  {
+    for (const FlipFree::PointConstraint& point : FlipFree::ReadConstraintTable(name, text))
+    {
+      points.push_back({ point.Kind, CoordinatesOf(point.Point), point.Radius });
+    }
+  };
   reader.TakeControl = [&points](const std::string& label, const auto& place)
   { points.push_back(PointOfControl(label, place)); };
   ReadPointText(name, reader);
+  if (points.empty())
+  {
+    PrintWarning("'" + name + "' holds no points, so nothing is corrected by it.");
+  }
   return points;
 }
 
@@ -210,8 +164,13 @@ std::vector<CorrectionPoint> ReadStroke(const std::string& name, ConstraintKind 
   };
   PointReader reader;
   reader.Columns = "x, y and z";
-  reader.IsHeader = IsHeaderOfStroke;
-  reader.TakeCells = [&add](const auto& cells) { add(PlaceOfLine(cells)); };
+  reader.TakeTable = [&](const std::string& text)
+  {
+    for (const Eigen::Vector3d& place : FlipFree::ReadPlaceTable(name, text))
+    {
+      add(CoordinatesOf(place));
+    }
+  };
   reader.TakeControl = [&add](const std::string&, const auto& place) { add(place); };
   ReadPointText(name, reader);
   if (points.empty())

@@ -27,16 +27,14 @@ struct CorrectionPoint
   double Radius = 0; ///< of a seed
 };
 
-/// How options and files call a kind: outside, inside, boundary or seed.
-const char* KindName(FlipFree::ConstraintKind kind);
-
 /// The kind of that name. Throws Failure if there is none.
 FlipFree::ConstraintKind KindOf(const std::string& name);
 
 /// Throws Failure for a seed without radius.
 void RequireRadius(const CorrectionPoint& point);
 
-/// Throws Failure, naming the file, the line or the control point, and what is wrong.
+/// Throws Failure, naming the file, the line or the control point, and what is wrong. Warns of a
+/// file of no points.
 std::vector<CorrectionPoint> ReadPoints(const std::string& name);
 
 /// A stroke: a table of x, y, z, or markups such as a curve, whose labels do not matter. Points

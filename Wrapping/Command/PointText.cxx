@@ -5,12 +5,14 @@
 #include "OutputFile.h"
 #include "UnreadableFile.h"
 
+#include "Exchange/FileProblem.h"
+#include "Exchange/HeaderField.h"
+#include "Exchange/TableText.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -22,61 +24,6 @@ namespace
 {
 
 using Json = nlohmann::json;
-
-std::string Trimmed(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  const std::size_t last = text.find_last_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-/// What stands between commas, without quotes around it; empty cells at the end do not count.
-std::vector<std::string> CellsOf(const std::string& line)
-{
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string text; std::getline(stream, text, ',');)
-  {
-    std::string cell = Trimmed(text);
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
-    {
-      cell = Trimmed(cell.substr(1, cell.size() - 2));
-    }
-    cells.push_back(cell);
-  }
-  while (!cells.empty() && cells.back().empty())
-  {
-    cells.pop_back();
-  }
-  return cells;
-}
-
-void ReadTable(const std::string& text, const PointReader& reader)
-{
-  std::istringstream file(text);
-  std::string line;
-  bool isFirst = true;
-  for (int number = 1; std::getline(file, line); ++number)
-  {
-    const std::vector<std::string> cells = CellsOf(line);
-    if (cells.empty())
-    {
-      continue;
-    }
-    try
-    {
-      if (!isFirst || !reader.IsHeader(cells))
-      {
-        reader.TakeCells(cells);
-      }
-      isFirst = false;
-    }
-    catch (const Failure& failure)
-    {
-      throw Failure("line " + std::to_string(number) + ": " + failure.what());
-    }
-  }
-}
 
 /// How the coordinates of a list of control points become LPS millimeters.
 struct MarkupsFrame
@@ -222,7 +169,7 @@ void ReadPointText(const std::string& name, const PointReader& reader)
   const std::string text = TextOf(name);
   try
   {
-    HasEnding(name, { ".csv" }) ? ReadTable(text, reader) : ReadMarkups(text, reader);
+    HasEnding(name, { ".csv" }) ? reader.TakeTable(text) : ReadMarkups(text, reader);
   }
   catch (const Json::exception&)
   {
@@ -231,25 +178,20 @@ void ReadPointText(const std::string& name, const PointReader& reader)
       "a table (.csv) with the columns " +
       reader.Columns + ".");
   }
+  catch (const FlipFree::FileProblem& problem)
+  {
+    throw Failure(problem.what());
+  }
   catch (const Failure& failure)
   {
     throw Failure("'" + name + "', " + failure.what() + ".");
   }
 }
 
-bool AreColumns(const std::vector<std::string>& cells, const std::vector<std::string>& names)
-{
-  return std::equal(cells.begin(), cells.end(), names.begin(), names.end(),
-    [](const std::string& cell, const std::string& column) { return Lower(cell) == column; });
-}
-
-// Decimal, as tables and markups have them; other programs read no hexadecimal ones either.
 double PointNumberOf(const std::string& text)
 {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos ||
-    end != text.c_str() + text.size() || !std::isfinite(number))
+  double number = 0;
+  if (!FlipFree::AreDecimals(text) || !FlipFree::ToNumber(text, number))
   {
     throw Failure("'" + text + "' is not a number");
   }

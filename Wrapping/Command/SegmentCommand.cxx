@@ -35,7 +35,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -181,7 +180,7 @@ void WarnOfOtherLabels(vtkImageData* labels, const SegmentRequest& request)
     return;
   }
   const FlipFree::LabelValues values = FlipFree::LabelVolumeOf(labels, "it").Values();
-  if (values.Labels.Get().size() > 1) // no other values can be chosen
+  if (values.Labels.Get().size() > 1 && !values.AreNoLabels()) // which the filter has said
   {
     PrintWarning("'" + request.StartLabels + "' has the labels " + TextOf(values.Labels) +
       "; the surface fills label 1; to fill another one, set --start-label.");
@@ -386,8 +385,7 @@ void Segment(const SegmentRequest& request)
   {
     given.Input = ImageBeside(session);
   }
-  std::error_code ignored;
-  if (given.SeriesUID.empty() && std::filesystem::is_directory(given.Input, ignored))
+  if (given.SeriesUID.empty() && MayHoldSeries(given.Input))
   {
     given.SeriesUID = session.SeriesUID;
   }

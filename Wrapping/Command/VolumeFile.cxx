@@ -5,6 +5,8 @@
 #include "Run.h"
 #include "UnreadableFile.h"
 
+#include "Exchange/DicomReading.h"
+
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMedicalImageReader.h"
@@ -37,15 +39,20 @@ void Read(vtkMedicalImageReader* reader, const std::string& name)
 
 } // namespace
 
+bool MayHoldSeries(const std::string& name)
+{
+  std::error_code ignored;
+  return std::filesystem::is_directory(name, ignored) || !FlipFree::DicomFilesOf(name).empty();
+}
+
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::string& seriesUID)
 {
   std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(name, ignored);
-  if (!folder && !std::filesystem::exists(name, ignored))
+  if (!std::filesystem::exists(name, ignored))
   {
     throw UnreadableFile(name);
   }
-  if (!folder && !seriesUID.empty())
+  if (!seriesUID.empty() && !MayHoldSeries(name))
   {
     throw WrongUsage("--series selects a series of a DICOM folder, but '" + name +
       "' is a file. Omit the option, or give the folder.");

@@ -17,6 +17,9 @@ namespace Command
 /// The endings of label maps that can be written.
 const std::vector<std::string>& VolumeEndings();
 
+/// Whether it is a folder, or a DICOM file of several frames.
+bool MayHoldSeries(const std::string& name);
+
 /// Reads a volume from a file or a DICOM folder; of several series, the one with the given UID, or
 /// else the one with the most slices.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name,

@@ -51,5 +51,5 @@ cmake --build "$folder" --parallel "${FLIPFREE_JOBS:-$(nproc)}"
 plugin=$(find "$folder" -name FlipFree.so -print -quit)
 echo "The plugin is $plugin."
 if $gets_paraview; then
-  echo "Start ParaView with it: FLIPFREE_BUILD=$folder $here/with-paraview.sh paraview"
+  printf 'Start ParaView with it: FLIPFREE_BUILD=%q %q paraview\n' "$folder" "$here/with-paraview.sh"
 fi

@@ -16,6 +16,7 @@ set(FLIPFREE_LAYER_FILES
   _parameters.py
   _phantom.py
   _progress.py
+  _provenance.py
   _questions.py
   _segment.py
   _segment_organs.py

@@ -1,5 +1,6 @@
 #include "Exchange/DicomChoice.h"
 
+#include "Exchange/DicomGrid.h"
 #include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
 
@@ -16,6 +17,13 @@ using Reason = DicomLeftOut::Reason;
 
 /// A part of a series this much smaller than the greatest one is beside the point.
 constexpr std::size_t FewBesideMany = 4;
+
+/// A folder, or a file by itself.
+std::string PlaceOf(const DicomFolder& folder)
+{
+  const bool isFile = folder.Files.size() == 1 && folder.Files.front().Name == folder.Name;
+  return (isFile ? "file " : "folder ") + InQuotes(folder.Name);
+}
 
 std::string VolumesText(const std::vector<const DicomVolume*>& volumes)
 {
@@ -96,8 +104,9 @@ const DicomVolume& TheOneOf(const std::vector<const DicomVolume*>& volumes)
     {
       throw FileProblem(FileProblem::Kind::Missing,
         "Series " + greatest->SeriesUID + " holds " + std::to_string(volumes.size()) +
-          " volumes: " + VolumesText(volumes) + ". Choose one of them, for instance " +
-          volumes.front()->Identifier() + ".");
+          " volumes: " + VolumesText(volumes) +
+          ". Choose one of them as the series, for instance " + volumes.front()->Identifier() +
+          ".");
     }
   }
   return *greatest;
@@ -125,8 +134,8 @@ const DicomVolume& NamedVolume(const DicomFolder& folder, std::string_view wante
     all.push_back(&volume);
   }
   throw FileProblem(FileProblem::Kind::Missing,
-    "The folder " + InQuotes(folder.Name) + " holds no series " + InQuotes(std::string(wanted)) +
-      ". It holds " + VolumesText(all) + ".");
+    "The " + PlaceOf(folder) + " holds no series " + InQuotes(std::string(wanted)) + ". It holds " +
+      VolumesText(all) + ".");
 }
 
 } // namespace
@@ -161,6 +170,7 @@ std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volum
     { Reason::TheSame, "the same slice again" }
   };
   std::map<Reason, std::set<std::size_t>> files;
+  std::map<std::size_t, std::string> differences;
   std::set<std::size_t> all;
   const auto count = [&](Reason why, std::size_t file)
   {
@@ -176,6 +186,7 @@ std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volum
     if (isOfAny || left.SeriesUID == volume.SeriesUID)
     {
       count(left.Why, left.File);
+      differences.emplace(left.File, left.Difference);
     }
   }
   std::size_t others = 0;
@@ -185,16 +196,22 @@ std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volum
     if (other.SeriesUID == volume.SeriesUID && other.Number != volume.Number)
     {
       others += other.Frames.size();
-      identifiers += (identifiers.empty() ? "" : ", ") + other.Identifier();
+      const std::string difference = volume.Frames.empty() || other.Frames.empty()
+        ? std::string()
+        : GridDifference(other.Frames.front(), volume.Frames.front());
+      identifiers += (identifiers.empty() ? "" : ", ") + other.Identifier() +
+        (difference.empty() ? "" : " (" + difference + ")");
     }
   }
   std::string text;
   for (const auto& reason : files)
   {
+    const std::size_t first = *reason.second.begin();
+    const std::string& difference = differences[first];
     text += (text.empty() ? "" : "; ") + std::to_string(reason.second.size()) + " " +
-      reasons.at(reason.first) + " (" +
-      InQuotes(FileNameOf(folder.Files[*reason.second.begin()].Name)) +
-      (reason.second.size() > 1 ? ", ..." : "") + ")";
+      reasons.at(reason.first) + " (" + InQuotes(FileNameOf(folder.Files[first].Name)) +
+      (difference.empty() ? "" : " has " + difference) + (reason.second.size() > 1 ? ", ..." : "") +
+      ")";
   }
   if (!text.empty())
   {
@@ -206,7 +223,7 @@ std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volum
     text += (text.empty() ? "" : " ") + std::to_string(others) +
       " slices belong to other volumes of the series: " + identifiers + ".";
   }
-  return text.empty() ? text : "In the folder " + InQuotes(folder.Name) + ", " + text;
+  return text.empty() ? text : "In the " + PlaceOf(folder) + ", " + text;
 }
 
 } // namespace FlipFree

@@ -257,6 +257,26 @@ void AppendDicomItem(std::string& bytes, const std::string& content)
   bytes += content;
 }
 
+/// Whether a condition holds for the allocated bits of every pixel.
+template <typename Condition>
+bool AllCells(const std::string& stored, const DicomPixelFormat& format, const Condition& holds)
+{
+  const auto size = static_cast<std::size_t>(format.BitsAllocated / 8);
+  for (std::size_t at = 0; at + size <= stored.size(); at += size)
+  {
+    std::uint64_t bits = 0;
+    for (std::size_t byte = size; byte-- > 0;)
+    {
+      bits = bits << 8 | static_cast<unsigned char>(stored[at + byte]);
+    }
+    if (!holds(bits))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 template <typename Stored, typename Voxel>
 void ConvertPixels(const char* stored, const DicomPixelFormat& format, const DicomRescale& rescale,
   Voxel* voxels)
@@ -504,24 +524,23 @@ std::string MinimalDicomFile(std::istream& file, const DicomDataSet& data)
 
 bool HasOnlyStoredBits(const std::string& stored, const DicomPixelFormat& format)
 {
-  const auto size = static_cast<std::size_t>(format.BitsAllocated / 8);
   const std::uint64_t beyond =
     (std::uint64_t(1) << format.BitsAllocated) - (std::uint64_t(1) << (format.HighBit + 1));
   const std::uint64_t signBit = std::uint64_t(1) << format.HighBit;
-  for (std::size_t at = 0; beyond != 0 && at + size <= stored.size(); at += size)
-  {
-    std::uint64_t bits = 0;
-    for (std::size_t byte = size; byte-- > 0;)
-    {
-      bits = bits << 8 | static_cast<unsigned char>(stored[at + byte]);
-    }
-    const bool isNegative = format.IsSigned && (bits & signBit);
-    if ((bits & beyond) != 0 && !(isNegative && (bits & beyond) == beyond))
-    {
-      return false;
-    }
-  }
-  return true;
+  return beyond == 0 ||
+    AllCells(stored, format,
+      [&](std::uint64_t bits)
+      {
+        const bool isNegative = format.IsSigned && (bits & signBit);
+        return (bits & beyond) == 0 || (isNegative && (bits & beyond) == beyond);
+      });
+}
+
+bool HasBitsBelowStoredOnes(const std::string& stored, const DicomPixelFormat& format)
+{
+  const std::uint64_t below = (std::uint64_t(1) << (format.HighBit + 1 - format.BitsStored)) - 1;
+  return below != 0 &&
+    !AllCells(stored, format, [below](std::uint64_t bits) { return (bits & below) == 0; });
 }
 
 void ToVoxels(const char* stored, const DicomPixelFormat& format, const DicomRescale& rescale,

@@ -101,6 +101,11 @@ std::string MinimalDicomFile(std::istream& file, const DicomDataSet& data);
 /// streams may have more bits than the file says, and then these must not be cut off.
 bool HasOnlyStoredBits(const std::string& stored, const DicomPixelFormat& format);
 
+/// Whether pixels have anything in the bits below the stored ones. There are such bits only where
+/// HighBit is not BitsStored - 1. Older editions of the standard allow that, and then pixels begin
+/// above them; but some programs write such a HighBit and store pixels in the lowest bits.
+bool HasBitsBelowStoredOnes(const std::string& stored, const DicomPixelFormat& format);
+
 /// Writes the gray values of a frame whose stored bytes are given into `voxels` of this type.
 void ToVoxels(const char* stored, const DicomPixelFormat& format, const DicomRescale& rescale,
   VoxelType type, void* voxels);

@@ -1,5 +1,6 @@
 #include "Exchange/DicomReading.h"
 
+#include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
 
 #include <algorithm>
@@ -87,6 +88,44 @@ void RequireStoredBits(const std::string& name, const std::string& stored,
   }
 }
 
+/// Where HighBit is wrong, nobody knows which bits are the pixels'.
+void RequirePlaceOfBits(const std::string& name, const std::string& stored,
+  const DicomPixelFormat& format)
+{
+  if (HasBitsBelowStoredOnes(stored, format))
+  {
+    const std::string count = std::to_string(format.BitsStored);
+    throw FileProblem(FileProblem::Kind::Unusable,
+      "The pixels of '" + name + "' do not lie where its header says: its HighBit is " +
+        std::to_string(format.HighBit) + ", not BitsStored - 1 (" +
+        std::to_string(format.BitsStored - 1) + "), but pixels have bits below the uppermost " +
+        count + ". So its gray values are unknown. Export the series again.");
+  }
+}
+
+/// The files that the iterator finds, but for hidden ones.
+template <typename Iterator>
+void AddFiles(const std::string& folder, std::vector<std::string>& files)
+{
+  std::error_code failure;
+  // A range-based loop would throw where the disk fails between two files.
+  for (Iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
+  {
+    std::error_code ignored;
+    const bool isHidden = entry->path().filename().string().front() == '.';
+    if (!isHidden && (entry->is_regular_file(ignored) || !entry->exists(ignored)))
+    {
+      files.push_back(entry->path().string());
+    }
+  }
+  if (failure)
+  {
+    throw FileProblem(FileProblem::Kind::Missing,
+      "The folder '" + folder + "' cannot be searched: " + failure.message() +
+        ". Check its permissions.");
+  }
+}
+
 /// The stored bytes of frames. A compressed file is decoded once for all of its frames.
 class DicomFrameReader
 {
@@ -132,6 +171,7 @@ public:
           "' cannot be read: the file is truncated or damaged, its compressed pixels contradict " +
           "its header, or it has changed since its header was read. Download or copy it again.");
     }
+    RequirePlaceOfBits(file.Name, stored, frame.Format);
     return stored;
   }
 
@@ -153,26 +193,35 @@ std::unique_ptr<std::istream> OpenDicomFile(const std::string& name)
 std::vector<std::string> FilesInFolder(const std::string& folder)
 {
   std::vector<std::string> files;
-  std::error_code failure;
-  // A range-based loop would throw where the disk fails between two files.
-  for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure))
+  AddFiles<std::filesystem::directory_iterator>(folder, files);
+  if (std::any_of(files.begin(), files.end(), IsDicomDirectory))
   {
-    std::error_code ignored;
-    const bool isHidden = entry->path().filename().string().front() == '.';
-    if (!isHidden && (entry->is_regular_file(ignored) || !entry->exists(ignored)))
-    {
-      files.push_back(entry->path().string());
-    }
-  }
-  if (failure)
-  {
-    throw FileProblem(FileProblem::Kind::Missing,
-      "The folder '" + folder + "' cannot be searched: " + failure.message() +
-        ". Check its permissions.");
+    files.clear();
+    AddFiles<std::filesystem::recursive_directory_iterator>(folder, files);
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+std::vector<std::string> DicomFilesOf(const std::string& path)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+  {
+    return FilesInFolder(path);
+  }
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    return {};
+  }
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t preamble = 128;
+  std::string start(preamble + 4, '\0');
+  file.read(&start[0], static_cast<std::streamsize>(start.size()));
+  const bool isDicom = file && start.compare(preamble, 4, "DICM") == 0;
+  return isDicom && NumberOfDicomFrames(ReadDicomDataSet(file)) > 1
+    ? std::vector<std::string>{ path }
+    : std::vector<std::string>();
 }
 
 DicomFolder ReadDicomFolder(const std::string& name, const std::vector<std::string>& files,

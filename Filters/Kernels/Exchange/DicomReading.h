@@ -34,9 +34,14 @@ struct DicomAccess
 /// Opens a file of the disk.
 std::unique_ptr<std::istream> OpenDicomFile(const std::string& name);
 
-/// The files of a folder of the disk, but for hidden ones and those in the folders within it. Links
-/// whose file is gone are among them. A FileProblem where the folder cannot be searched.
+/// The files of a folder of the disk, but for hidden ones. Those in the folders within it are among
+/// them only beside a DICOMDIR, as on a CD; links whose file is gone always. A FileProblem where
+/// the folder cannot be searched.
 std::vector<std::string> FilesInFolder(const std::string& folder);
+
+/// The DICOM files that may hold the volume of this path: those of a folder, or a file of several
+/// frames itself. None for any other file: a single slice is no volume.
+std::vector<std::string> DicomFilesOf(const std::string& path);
 
 /// What the files of a folder say. An empty answer if the monitor says stop.
 DicomFolder ReadDicomFolder(const std::string& name, const std::vector<std::string>& files,

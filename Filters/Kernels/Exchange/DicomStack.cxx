@@ -178,6 +178,7 @@ DicomStack StackOf(const std::vector<DicomFrame>& frames, const DicomFrameName& 
   stack.Problem = WhyGapsDiffer(frames, places, nameOf);
   if (!stack.Problem.empty())
   {
+    stack.HasGap = true;
     return stack;
   }
   const Eigen::Vector3d along = frames.back().Position - grid.Origin;

@@ -26,6 +26,7 @@ struct DicomStack
   /// volume.
   std::string Problem;
   std::string Warning;
+  bool HasGap = false; ///< which is the problem: a slice may be missing
 };
 
 /// Orders frames of one grid along their normal, in the sense that makes the axes right-handed.

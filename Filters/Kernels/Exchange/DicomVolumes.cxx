@@ -1,6 +1,7 @@
 #include "Exchange/DicomVolumes.h"
 
 #include "Exchange/DicomCopies.h"
+#include "Exchange/DicomGrid.h"
 #include "Exchange/FileNames.h"
 
 #include <algorithm>
@@ -35,14 +36,6 @@ struct SeriesFiles
   std::vector<std::size_t> Damaged;
 };
 
-bool IsOnOneGrid(const DicomFrame& a, const DicomFrame& b)
-{
-  constexpr double tolerance = 1e-3;
-  return a.Format.Columns == b.Format.Columns && a.Format.Rows == b.Format.Rows &&
-    (a.Spacing - b.Spacing).norm() < tolerance * a.Spacing[0] &&
-    (a.Axes - b.Axes).norm() < tolerance;
-}
-
 /// The greatest first.
 std::vector<Frames> GroupsByGrid(const Frames& frames)
 {
@@ -50,7 +43,7 @@ std::vector<Frames> GroupsByGrid(const Frames& frames)
   for (const DicomFrame& frame : frames)
   {
     auto group = std::find_if(groups.begin(), groups.end(),
-      [&frame](const Frames& other) { return IsOnOneGrid(other.front(), frame); });
+      [&frame](const Frames& other) { return AreOnOneGrid(other.front(), frame); });
     if (group == groups.end())
     {
       group = groups.insert(group, Frames());
@@ -106,9 +99,10 @@ public:
   }
 
 private:
-  void LeaveOut(Reason why, std::size_t file, const std::string& uid)
+  void LeaveOut(Reason why, std::size_t file, const std::string& uid,
+    const std::string& difference = {})
   {
-    this->Folder.LeftOut.push_back({ why, file, uid });
+    this->Folder.LeftOut.push_back({ why, file, uid, difference });
   }
 
   const DicomAttributes& AttributesOf(std::size_t file) const
@@ -122,6 +116,10 @@ private:
     DicomFile& file = this->Folder.Files[number];
     DicomDataSet& data = file.Data;
     const std::string uid = data.Attributes.Text(DicomTag::SeriesInstanceUID);
+    if (IsDicomDirectory(file.Name))
+    {
+      return; // damaged or not, it is no slice, and nothing is left out with it
+    }
     if (!file.Unreadable.empty())
     {
       this->LeaveOut(Reason::Damaged, number, uid);
@@ -212,11 +210,17 @@ private:
       {
         this->LeaveOut(Reason::NoGrayValues, file, uid);
       }
-      for (Frames& frames : this->PartsOf(uid, files.Gray))
+      std::vector<Frames> parts = this->PartsOf(uid, files.Gray);
+      std::vector<std::string> strangers;
+      for (const Frames& frames : parts)
       {
-        volumes.push_back(this->NewVolume(uid, frames.front().File));
-        volumes.back().Frames = std::move(frames);
-        this->Finish(volumes.back());
+        strangers.push_back(this->StrangerTo(frames, parts, uid));
+      }
+      for (std::size_t part = 0; part < parts.size(); ++part)
+      {
+        volumes.push_back(this->NewVolume(uid, parts[part].front().File));
+        volumes.back().Frames = std::move(parts[part]);
+        this->Finish(volumes.back(), strangers[part]);
       }
     }
     for (std::size_t index = 0; index < volumes.size(); ++index)
@@ -272,7 +276,8 @@ private:
       {
         for (const DicomFrame& frame : group)
         {
-          this->LeaveOut(Reason::OtherGrid, frame.File, uid);
+          this->LeaveOut(Reason::OtherGrid, frame.File, uid,
+            frame.IsLocalizer ? "" : GridDifference(frame, groups.front().front()));
         }
         continue;
       }
@@ -293,6 +298,31 @@ private:
       }
     }
     return parts;
+  }
+
+  /// What may be a missing slice of a part, but for its grid; empty where nothing is.
+  std::string StrangerTo(const Frames& part, const std::vector<Frames>& parts,
+    const std::string& uid) const
+  {
+    const auto describe = [this](const std::string& name, const std::string& difference)
+    { return " A missing slice may be " + name + ", which has " + difference + "."; };
+    for (const DicomLeftOut& left : this->Folder.LeftOut)
+    {
+      if (left.SeriesUID == uid && !left.Difference.empty())
+      {
+        return describe(InQuotes(FileNameOf(this->Folder.Files[left.File].Name)), left.Difference);
+      }
+    }
+    for (const Frames& other : parts)
+    {
+      const std::string difference = GridDifference(other.front(), part.front());
+      const bool areFew = other.size() < part.size() && !other.front().IsLocalizer;
+      if (areFew && other.front().Problem.empty() && !difference.empty())
+      {
+        return describe(this->NameOf(other.front()), difference);
+      }
+    }
+    return {};
   }
 
   void RemoveCopies(Frames& frames, const std::string& uid)
@@ -354,7 +384,8 @@ private:
     return { frames };
   }
 
-  void Finish(DicomVolume& volume) const
+  /// `stranger` may be what is missing.
+  void Finish(DicomVolume& volume, const std::string& stranger) const
   {
     const Frames& frames = volume.Frames;
     const auto wrong = std::find_if(frames.begin(), frames.end(),
@@ -368,7 +399,8 @@ private:
       StackOf(frames, [this](const DicomFrame& frame) { return this->NameOf(frame); });
     volume.Geometry = stack.Geometry;
     const std::string beginning = "Series " + volume.SeriesUID + ": ";
-    volume.Problem = stack.Problem.empty() ? "" : beginning + stack.Problem;
+    volume.Problem =
+      stack.Problem.empty() ? "" : beginning + stack.Problem + (stack.HasGap ? stranger : "");
     volume.Warning = stack.Warning.empty() ? "" : beginning + stack.Warning;
     DicomValueRange values;
     for (const DicomFrame& frame : frames)

@@ -63,7 +63,8 @@ struct DicomLeftOut
   };
   Reason Why = Reason::NoPixels;
   std::size_t File = 0;
-  std::string SeriesUID; ///< empty where it is not known
+  std::string SeriesUID;  ///< empty where it is not known
+  std::string Difference; ///< of another grid, as GridDifference(); empty for a scout
 };
 
 struct DicomFolder

@@ -23,6 +23,15 @@ inline std::string FileNameOf(const std::string& path)
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
+/// Whether a file has the name of those that list the other files of a medium (DICOM PS3.10).
+inline bool IsDicomDirectory(const std::string& path)
+{
+  const std::string wanted = "dicomdir";
+  const std::string name = FileNameOf(path);
+  return std::equal(name.begin(), name.end(), wanted.begin(), wanted.end(),
+    [](unsigned char letter, unsigned char small) { return std::tolower(letter) == small; });
+}
+
 /// In small letters, with its period.
 inline std::string ExtensionOf(const std::string& path)
 {

@@ -105,15 +105,19 @@ bool IsLength(double value)
   return std::abs(value) <= GreatestLength;
 }
 
+std::string WhyNoLength(double value)
+{
+  return IsLength(value)   ? std::string()
+    : std::isfinite(value) ? "is " + TextOf(value) + ", beyond " + TextOf(GreatestLength) + " mm"
+                           : "is " + TextOf(value) + ", not a finite number";
+}
+
 void RequireLength(const std::string& file, const std::string& field, double value)
 {
-  if (!std::isfinite(value))
+  const std::string fault = WhyNoLength(value);
+  if (!fault.empty())
   {
-    RefuseField(file, field, "is " + TextOf(value) + ", not a finite number");
-  }
-  if (!IsLength(value))
-  {
-    RefuseField(file, field, "is " + TextOf(value) + ", beyond " + TextOf(GreatestLength) + " mm");
+    RefuseField(file, field, fault);
   }
 }
 
@@ -194,6 +198,8 @@ void WarnOfUnsaid(const std::string& file, const std::vector<Unsaid>& unsaid,
 {
   const char* const taken[] = { "how large its voxels are (1 mm was taken)",
     "how its axes lie in the patient (left, posterior and superior were taken)",
+    "how its axes lie in the patient other than by names (AnatomicalOrientation), which programs "
+    "read differently (left, posterior and superior were taken)",
     "how its axes lie in its space (along the axes of the space was taken)",
     "where its first voxel is (the origin was taken)",
     "in which order the bytes of its voxels are (the least significant first was taken)" };

@@ -27,6 +27,9 @@ constexpr double LeastDeterminant = 1e-6;
 /// Whether it can be a length or a coordinate in millimeters.
 bool IsLength(double value);
 
+/// Why it cannot, as the end of a sentence about it; empty where it can.
+std::string WhyNoLength(double value);
+
 /// Throws unless it is one.
 void RequireLength(const std::string& file, const std::string& field, double value);
 
@@ -54,6 +57,7 @@ enum class Unsaid
 {
   VoxelSize,
   Axes,
+  AxesButForNames,
   AxesInSpace, ///< where the file says how its space lies in the patient
   Origin,
   ByteOrder

@@ -14,6 +14,8 @@ namespace
 /// The field that ends the header.
 const char* const PlaceOfVoxels = "ElementDataFile";
 
+const char* const NamesOfAxes = "AnatomicalOrientation";
+
 struct MetaImageText
 {
   TextFields Fields;
@@ -131,7 +133,12 @@ ImageGeometry MetaImageGrid(const std::string& name, const TextFields& fields,
     NameThatIsThere(fields, { "TransformMatrix", "Rotation", "Orientation" });
   if (ofAxes.empty())
   {
-    unsaid.push_back(Unsaid::Axes);
+    // From right to left, from anterior to posterior, from inferior to superior.
+    const bool saysTheSame = InSmallLetters(fields.Text(NamesOfAxes)) == "rai";
+    if (!saysTheSame)
+    {
+      unsaid.push_back(fields.Has(NamesOfAxes) ? Unsaid::AxesButForNames : Unsaid::Axes);
+    }
   }
   else
   {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -61,23 +62,28 @@ bool CanBeInverted(const Affine& affine)
     std::abs(steps.determinant()) > LeastDeterminant * lengths.prod();
 }
 
-/// What makes the sform unusable.
-[[noreturn]] void RefuseAffine(const std::string& name, const NiftiFields& fields)
+/// What makes the sform unusable: the field, and what is wrong with it.
+std::pair<std::string, std::string> FaultOfAffine(const NiftiFields& fields)
 {
+  const Affine affine = AffineOf(fields);
   for (int entry = 0; entry < 12; ++entry)
   {
-    RequireLength(name, NameOfEntry(entry), fields.Affine(entry));
+    const double inMillimeters = affine(entry / 4, entry % 4);
+    const std::string fault = WhyNoLength(inMillimeters);
+    if (!fault.empty())
+    {
+      return { NameOfEntry(entry), fault };
+    }
   }
-  const Affine affine = AffineOf(fields);
   for (int row = 0; row < 3; ++row)
   {
     if (affine.row(row).head<3>().isZero())
     {
-      RefuseField(name, NameOfEntry(4 * row).substr(0, 6),
-        "holds zeros where it should say which way the voxels' axes run");
+      return { NameOfEntry(4 * row).substr(0, 6),
+        "holds zeros where it should say which way the voxels' axes run" };
     }
   }
-  RefuseField(name, "the sform", "cannot be inverted: its axes lie in a plane");
+  return { "the sform", "cannot be inverted: its axes lie in a plane" };
 }
 
 Eigen::Vector3d PixelSizes(const std::string& name, const NiftiFields& fields)
@@ -225,14 +231,16 @@ ImageGeometry NiftiGrid(const std::string& name, const NiftiFields& fields,
   }
   if (hasAffine && !UsableQuaternion(name, fields))
   {
-    RefuseAffine(name, fields);
+    const auto [field, fault] = FaultOfAffine(fields);
+    RefuseField(name, field, fault);
   }
   if (hasQuaternion)
   {
     if (hasAffine)
     {
-      warnings.push_back(
-        "The sform of '" + name + "' cannot be used. The qform was taken in its place.");
+      const auto [field, fault] = FaultOfAffine(fields);
+      warnings.push_back("The sform of '" + name + "' cannot be used: " + field + " " + fault +
+        ". The qform was taken in its place.");
     }
     ImageGeometry grid = GridOfAffine(name, AffineOfQuaternion(name, fields), size);
     grid.Spacing = PixelSizes(name, fields); // to the last digit

@@ -26,7 +26,8 @@ FileProblem WhyNotReadable(const std::string& name, const std::string& start)
   if (start.size() > preamble && start.compare(preamble, 4, "DICM") == 0)
   {
     return { FileProblem::Kind::Unrecognized,
-      "'" + name + "' is a single DICOM file. Give the folder of its series instead." };
+      "'" + name +
+        "' is a single slice of a DICOM series. Give the folder of its series instead." };
   }
   const char* const known[] = { ".nii", ".nii.gz", ".hdr", ".img", ".img.gz", ".nrrd", ".nhdr",
     ".mha", ".mhd" };
@@ -130,7 +131,9 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
     const std::string file = InQuotedUtf8(storage.Files[index]);
     if (sizes[index] == MissingFile)
     {
-      throw FileProblem(NoVoxels(header.Name, file + " is missing"));
+      throw FileProblem(FileProblem::Kind::Missing,
+        "There is no file " + file + ", which has the voxels of '" + header.Name +
+          "'. Put it beside the header, or correct its name there.");
     }
     if (sizes[index] < 0)
     {

@@ -95,6 +95,9 @@ struct LabelValues
   }
   /// Whether there are two values or more besides 0.
   bool AreSeveral() const { return this->Labels.Get().size() + this->Others.Get().size() > 1; }
+  /// Whether they are those of a scan or of probabilities. A single value marks a mask, whatever
+  /// it is.
+  bool AreNoLabels() const { return this->AreSeveral() && !this->Others.Get().empty(); }
 };
 
 /// Of an image whose voxels are finite.
@@ -152,6 +155,19 @@ inline std::string TextOf(const LowestValues& values)
   }
   text << (values.AreThereMore() ? " and more" : "");
   return text.str();
+}
+
+/// A message for a label map whose values are those of a scan or of probabilities, with its remedy:
+/// what is taken nevertheless, of the label or, for a label below 1, of all nonzero voxels. `what`
+/// is done with these voxels. Empty for any other label map.
+inline std::string WarningOfNoLabels(const LabelValues& values, int label, const std::string& name,
+  const std::string& what)
+{
+  return values.AreNoLabels()
+    ? "Of the values of " + name + ", " + TextOf(values.Others) + " are not valid labels; " +
+      (label < 1 ? "every nonzero voxel" : "only a voxel of exactly " + std::to_string(label)) +
+      " " + what + "; give a label map, of whole numbers from 0 up."
+    : std::string();
 }
 
 } // namespace FlipFree

@@ -5,6 +5,7 @@
 #include "MessageText.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace FlipFree
 {
 namespace
 {
+
+// In the order of ConstraintKind.
+constexpr const char* KindNames[] = { "outside", "inside", "boundary", "seed" };
 
 // Places that are nearer than this part of the finest spacing cannot be told apart.
 constexpr double SamePlace = 1e-3;
@@ -75,15 +79,29 @@ void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints)
   seed = { largest.Point, largest.Radius };
 }
 
+const char* NameOf(ConstraintKind kind)
+{
+  return KindNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ConstraintKind> KindNamed(const std::string& name)
+{
+  const auto* const found = std::find(std::begin(KindNames), std::end(KindNames), name);
+  return found == std::end(KindNames)
+    ? std::nullopt
+    : std::optional<ConstraintKind>(static_cast<ConstraintKind>(found - std::begin(KindNames)));
+}
+
 std::string NameOf(const PointConstraint& constraint)
 {
   if (!constraint.Name.empty())
   {
     return constraint.Name;
   }
-  static constexpr const char* names[4] = { "the outside point ", "the inside point ",
-    "the boundary point ", "the further seed at " };
-  return names[static_cast<int>(constraint.Kind)] + TextOf(constraint.Point) + " mm";
+  const std::string start = constraint.Kind == ConstraintKind::Seed
+    ? "the further seed at "
+    : std::string("the ") + NameOf(constraint.Kind) + " point ";
+  return start + TextOf(constraint.Point) + " mm";
 }
 
 void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& constraints,

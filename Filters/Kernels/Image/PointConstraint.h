@@ -7,6 +7,7 @@
 
 #include "Image/SeedRegion.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ enum class ConstraintKind : unsigned char
   Boundary = 2,
   Seed = 3
 };
+
+/// What files and options call a kind: outside, inside, boundary or seed.
+const char* NameOf(ConstraintKind kind);
+
+/// The kind of that name; none where there is no such kind.
+std::optional<ConstraintKind> KindNamed(const std::string& name);
 
 /// When outside points become obstacles. A surface that grows around an obstacle is held back
 /// beyond it, too: it ends better if it may pass the point, is pulled back before the last level,

@@ -124,29 +124,25 @@ SurfacePlace PlaceOf(const PointList& points, const TriangleList& triangles,
   return place;
 }
 
-// A segmentation of one organ, or a surface, against a reference of several.
-void WarnOfLabels(const LabelMask* segmentation, const LabelMask& reference,
+// What nobody chose of a label map, where there is a choice.
+void WarnOfLabels(const LabelMask& labelMap, bool isReference, bool isOtherOfOne,
   std::vector<std::string>& warnings)
 {
-  if (reference.Label >= 0)
+  const LabelValues values = labelMap.Values();
+  const std::string noLabels =
+    WarningOfNoLabels(values, labelMap.Label, labelMap.Name, "counts as inside");
+  if (!noLabels.empty())
   {
-    return;
+    warnings.push_back(noLabels);
   }
-  // Mostly there is but one, and the segmentation need not be looked through.
-  const LabelValues values = reference.Values();
-  if (!values.AreSeveral() ||
-    (segmentation && segmentation->Label < 0 && segmentation->Values().AreSeveral()))
+  else if (labelMap.Label < 0 && values.AreSeveral() && isOtherOfOne)
   {
-    return;
+    const std::string own = isReference ? "reference" : "segmentation";
+    const std::string other = isReference ? "segmentation" : "reference";
+    warnings.push_back("The " + own + " has the labels " + TextOf(values.Labels) + "; the " +
+      other + " has one organ only: it is compared with all of them together; to compare it " +
+      "with one, set {" + (isReference ? "ReferenceLabel" : "SegmentationLabel") + "}.");
   }
-  const std::string labels = TextOf(values.Labels);
-  const std::string others = TextOf(values.Others);
-  warnings.push_back(others.empty() ? "The reference has the labels " + labels +
-        "; the segmentation has one organ only: it is compared with all of them together; to "
-        "compare it with one, set {ReferenceLabel}."
-                                    : "The reference has the values " + others +
-        ", which are not valid labels; every nonzero voxel counts as inside; give it a label map" +
-        (labels.empty() ? "" : ", or set {ReferenceLabel} to one of " + labels) + ".");
 }
 
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
@@ -225,7 +221,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
         ", by more than a voxel, where " + reference.Name +
         " counts as empty; check that both are in the same physical coordinates.");
     }
-    WarnOfLabels(nullptr, reference, scores.Warnings);
+    WarnOfLabels(reference, true, true, scores.Warnings);
   }
   return scores;
 }
@@ -265,7 +261,10 @@ SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& r
     warn(FractionOutside(voxels, Moved(WholeBox(own), box.Begin)), segmentation, reference,
       "wrong");
     warn(FractionOutside(known, Moved(place, box.Begin)), reference, segmentation, "missed");
-    WarnOfLabels(&segmentation, reference, scores.Warnings);
+    const auto isOfOne = [](const LabelMask& mask)
+    { return mask.Label >= 0 || !mask.Values().AreSeveral(); };
+    WarnOfLabels(segmentation, false, isOfOne(reference), scores.Warnings);
+    WarnOfLabels(reference, true, isOfOne(segmentation), scores.Warnings);
   }
   return scores;
 }

@@ -70,8 +70,12 @@ public:
   val SetStart(const Volume& labels, int label)
   {
     return Guarded(
-      [&] {
-        return ObjectOf(this->Organ.FillLabel(LabelVolumeOf(labels, "the start labels"), label));
+      [&]
+      {
+        const LabelVolume volume = LabelVolumeOf(labels, "the start labels");
+        const SeedSphere ball = this->Organ.FillLabel(volume, label);
+        this->StartWarning = WarningOfNoLabels(volume.Values(), label, volume.Name, "is filled");
+        return ObjectOf(ball);
       });
   }
 
@@ -93,8 +97,12 @@ public:
         SetParameters(SegmentationParameters(), parameters, request.Settings);
         try
         {
-          const OrganAnswer found = this->Organ.Answer(request, MonitorOf(report), nullptr);
-          const VolumeSegmentation& result = found.Result;
+          OrganAnswer found = this->Organ.Answer(request, MonitorOf(report), nullptr);
+          VolumeSegmentation& result = found.Result;
+          if (numbers.empty() && !this->StartWarning.empty())
+          {
+            result.Warnings.push_back(this->StartWarning);
+          }
           val answer =
             AnswerOf(result.Organ, { found.Provenance, request.Settings.Method.Step.Guard },
               result.Voxels, result.Warnings);
@@ -136,6 +144,7 @@ public:
 private:
   const std::shared_ptr<Volume> Image;
   OrganRuns Organ;
+  std::string StartWarning; // of the label that runs without a seed fill
 };
 
 val DefaultParameters(const std::string& preset)

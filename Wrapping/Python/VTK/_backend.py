@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkFieldData, vtkImageData, vtkPolyData
 
 from . import _pickles as _pickles  # of what results hold
 from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
+from ._images import series_of
 from ._parameters import names_of, snake_case
 from ._properties import Property, properties_of
+from ._provenance import with_series
 from ._questions import questions_of
 from ._segmentation import Segmentation, Vessel, columns_of
 from ._types import Preset, Progress
@@ -105,7 +108,7 @@ class SegmentationAlgorithm:
             _add(self.settings, constraint)
         update(self.settings, SegmentationError, tell, names=NAMES)
         return Segmentation(
-            **_found(self.settings),
+            **_found(self.settings, image),
             questions=questions_of(columns_of(self.settings.GetQuestions())),
             history=self._history(),
         )
@@ -155,7 +158,7 @@ class GroupAlgorithm:
         label_map = group.GetLabelMap()
         organs = [
             Segmentation(
-                surface=group.GetSurface(organ),
+                surface=_of_series(group.GetSurface(organ), image),
                 label_map=label_map,
                 convergence=group.GetConvergence(organ),
                 stop_reason=group.GetStopReasonAsString(organ),
@@ -195,7 +198,7 @@ class VesselAlgorithm:
         self.settings.SetInputData(image)
         update(self.settings, SegmentationError, tell, names=names_of(TRACE_PARAMETERS))
         return Vessel(
-            **_found(self.settings),
+            **_found(self.settings, image),
             centerline=_detached(self.settings.GetCenterline()),
             stage_seconds=tuple(self.settings.GetStageSeconds()),
             support=self.settings.GetSupport(),
@@ -286,10 +289,10 @@ def _add(algorithm: Any, constraint: Constraint, *organ: str) -> None:
     getattr(algorithm, ADDING[constraint.kind])(*organ, *constraint.place, *radius)
 
 
-def _found(algorithm: Any) -> dict[str, Any]:
+def _found(algorithm: Any, image: vtkImageData) -> dict[str, Any]:
     """What filters say of an organ or a vessel, as fields of a Segmentation."""
     return {
-        "surface": _detached(algorithm.GetSurface()),
+        "surface": _of_series(_detached(algorithm.GetSurface()), image),
         "label_map": _detached(algorithm.GetLabelMap()),
         "convergence": _detached(algorithm.GetConvergence()),
         "stop_reason": algorithm.GetStopReasonAsString(),
@@ -300,6 +303,21 @@ def _found(algorithm: Any) -> dict[str, Any]:
 
 def _has_boundary(stop_reason: int) -> bool:
     return stop_reason != vtkFlipFreeSegmentation.NO_BOUNDARY_FOUND
+
+
+def _of_series(surface: vtkPolyData, image: vtkImageData) -> vtkPolyData:
+    """The surface, whose provenance names the image's DICOM series, if it has one."""
+    text = surface.GetFieldData().GetAbstractArray("Provenance")
+    series = series_of(image)
+    if text is not None and series:
+        named = vtkStringArray()
+        named.SetName(text.GetName())
+        named.InsertNextValue(with_series(text.GetValue(0), series))
+        fields = vtkFieldData()
+        fields.ShallowCopy(surface.GetFieldData())
+        fields.AddArray(named)
+        surface.SetFieldData(fields)
+    return surface
 
 
 def _detached(output: Any) -> Any:

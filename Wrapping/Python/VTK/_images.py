@@ -34,6 +34,12 @@ def is_surface(thing: Any) -> bool:
     return isinstance(thing, vtkPolyData)
 
 
+def series_of(image: vtkImageData) -> str:
+    """The DICOM series that was read; empty for any other image."""
+    series = image.GetFieldData().GetAbstractArray("SeriesUID")
+    return str(series.GetValue(0)) if series is not None and series.GetNumberOfValues() else ""
+
+
 def geometry_like(other: vtkImageData, array: Any) -> vtkImageData:
     """The voxels of an array as an image with the geometry of another."""
     direction = other.GetDirectionMatrix()

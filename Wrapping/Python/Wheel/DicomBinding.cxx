@@ -42,7 +42,7 @@ public:
   {
     const DicomAccess access = this->Access();
     const nb::gil_scoped_release unlocked;
-    this->Folder = ReadDicomFolder(name, FilesInFolder(name), access, MonitorOf(report, 0, 0.5));
+    this->Folder = ReadDicomFolder(name, DicomFilesOf(name), access, MonitorOf(report, 0, 0.5));
   }
 
   /// By the report, while it was read: it is empty then.
@@ -117,6 +117,7 @@ private:
 
 void BindDicom(nb::module_& module)
 {
+  module.def("dicom_files", &DicomFilesOf, nb::call_guard<nb::gil_scoped_release>());
   nb::class_<ReadFolder>(module, "DicomFolder")
     .def(nb::init<const std::string&, nb::callable, nb::callable, const nb::callable&>())
     .def("was_stopped", &ReadFolder::WasStopped)

@@ -3,6 +3,8 @@
 #include "Numpy.h"
 
 #include "Exchange/NiftiHeader.h"
+#include "Exchange/PointTable.h"
+#include "Exchange/TableText.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
 
@@ -87,10 +89,53 @@ nb::bytes NiftiBytes(const std::string& name, const std::string& type, const Tri
   return nb::bytes(bytes.data(), bytes.size());
 }
 
+// The cells of each line, and what separates them.
+nb::tuple TableOf(const std::string& name, const std::string& text)
+{
+  const TableText table = ReadTableText(name, text);
+  std::vector<std::vector<std::string>> lines;
+  for (const TableLine& line : table.Lines)
+  {
+    lines.push_back(line.Cells);
+  }
+  return nb::make_tuple(lines, std::string(1, table.Separator));
+}
+
+std::array<double, 3> TripleOf(const Eigen::Vector3d& place)
+{
+  return { { place[0], place[1], place[2] } };
+}
+
+// The number of the kind, the place and the radius of each.
+std::vector<nb::tuple> ConstraintsIn(const std::string& name, const std::string& text)
+{
+  std::vector<nb::tuple> rows;
+  for (const PointConstraint& point : ReadConstraintTable(name, text))
+  {
+    rows.push_back(
+      nb::make_tuple(static_cast<int>(point.Kind), TripleOf(point.Point), point.Radius));
+  }
+  return rows;
+}
+
+std::vector<std::array<double, 3>> PlacesIn(const std::string& name, const std::string& text)
+{
+  std::vector<std::array<double, 3>> places;
+  for (const Eigen::Vector3d& place : ReadPlaceTable(name, text))
+  {
+    places.push_back(TripleOf(place));
+  }
+  return places;
+}
+
 } // namespace
 
 void BindExchange(nb::module_& module)
 {
+  module.def("read_table", &TableOf);
+  module.def("with_decimal_points", &WithDecimalPoints);
+  module.def("read_constraint_table", &ConstraintsIn);
+  module.def("read_place_table", &PlacesIn);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")
     .def("__init__",
       [](VolumeFileHeader* header, const std::string& name, const nb::bytes& start)

@@ -96,6 +96,7 @@ nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple&
   request.Constraints = ConstraintsOf(rows);
   request.Settings = settings;
   std::vector<Iteration> history;
+  std::string noLabels;
   OrganAnswer found;
   found.Result.Organ.Reason = StopReason::Aborted;
   {
@@ -105,7 +106,9 @@ nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple&
       OrganRuns runs(GrayVolumeOf(voxels, geometry), ImageName, PoolThreading());
       if (labels)
       {
-        runs.FillLabel(LabelVolumeOf(*labels, "the start labels"), label);
+        const LabelVolume volume = LabelVolumeOf(*labels, "the start labels");
+        runs.FillLabel(volume, label);
+        noLabels = WarningOfNoLabels(volume.Values(), label, volume.Name, "is filled");
       }
       if (start)
       {
@@ -130,6 +133,10 @@ nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple&
   answer["boundary_found"] = organ.Reason != StopReason::NoBoundaryFound;
   answer["self_intersections"] = organ.SelfIntersections;
   answer["iterations"] = ColumnsOf(organ.Iterations);
+  if (!noLabels.empty())
+  {
+    result.Warnings.push_back(noLabels);
+  }
   answer["warnings"] = result.Warnings;
   answer["questions"] = ColumnsOf(QuestionColumns(), result.Questions);
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);

@@ -6,8 +6,10 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from ._errors import FileError
 from ._image_files import read, write
-from ._images import IMAGE_NAME, is_image
+from ._images import IMAGE_NAME, is_image, series_of
+from ._messages import spelling
 from ._progress import progress_of
 from ._types import PathName, ProgressOption
 
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 def read_image(
     path: PathName, *, series: str | None = None, progress: ProgressOption = None
 ) -> Image:
-    """Reads a NIfTI, NRRD or MetaImage file, or a folder of DICOM files.
+    """Reads a NIfTI, NRRD or MetaImage file, a folder of DICOM files, or a multi-frame DICOM file.
 
     A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
     by default the one of most slices. A series may hold several volumes (times, echoes, stacks):
@@ -33,7 +35,13 @@ def read_image(
     flipfree.FileError: 'nowhere.nii.gz' does not exist or cannot be read. Check its name and ...
     """
     with progress_of(progress, "reading") as tell:
-        return read(os.fspath(path), series, tell)
+        image = read(os.fspath(path), series, tell)
+    if series and not series_of(image):
+        raise FileError(
+            f"'{os.fspath(path)}' holds no DICOM series of which {spelling.get().get('series', 'series')} "
+            "could choose one. Give the folder of DICOM files, or leave it out."
+        )
+    return image
 
 
 def write_image(

@@ -21,9 +21,9 @@ def warn_of_other_labels(labels: Image, given: Any) -> None:
     import numpy
 
     voxels = voxels_in(labels)
-    values = numpy.unique(voxels[voxels > 0]).tolist()  # few voxels are in an organ
+    values = numpy.unique(voxels[voxels != 0]).tolist()  # few voxels are in an organ
     names = [str(int(value)) for value in values if value >= 1 and value == int(value)]
-    if len(names) > 1:
+    if len(names) > 1 and len(names) == len(values):  # others have been warned of
         most = 20  # of a list that people read
         text = ", ".join(names[:most]) + (" and more" if names[most:] else "")
         name = f"'{os.fspath(given)}' has" if isinstance(given, (str, os.PathLike)) else "The start labels have"

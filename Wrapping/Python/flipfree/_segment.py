@@ -31,6 +31,7 @@ def segment(
     seed: Sequence[float] | None = None,
     radius: float | None = None,
     *,
+    series: str | None = None,
     spacing: Sequence[float] | None = None,
     origin: Sequence[float] | None = None,
     direction: npt.ArrayLike | None = None,
@@ -58,6 +59,9 @@ def segment(
         or an array of voxels array[k, j, i] with its spacing (mm) and, unless they are zero and the
         identity, its origin (mm) and direction (3 x 3, the axes as columns). Voxels that are not
         finite, or that a masked array masks, have no data: no surface goes there.
+    series
+        Of a folder of DICOM files, the series to read, as read_image() takes it. The provenance of the
+        result names the series that was read.
     start
         A surface to start from instead of the sphere: closed, without self-intersections. Unless every
         vertex has four neighbors, it is the mesh of the midpoints of its edges, whose vertices all have
@@ -118,7 +122,7 @@ def segment(
     if start is not None:
         algorithm.set_start(start)
     constraints = constraints_of(inside, outside, boundary, seeds)
-    volume = _image_of(image, spacing, origin, direction, progress)
+    volume = _image_of(image, series, spacing, origin, direction, progress)
     labels: Image | None = None
     if start_labels is not None:
         require_label("start_label", start_label)
@@ -164,14 +168,18 @@ def _with_preset(preset: Preset) -> SegmentationAlgorithm:
 
 def _image_of(
     image: AnyImage,
+    series: str | None,
     spacing: Sequence[float] | None,
     origin: Sequence[float] | None,
     direction: npt.ArrayLike | None,
     progress: ProgressOption,
 ) -> Image:
+    is_path = isinstance(image, (str, os.PathLike))
+    if series is not None and not is_path:
+        raise TypeError("series: it chooses what is read of a folder of DICOM files, and this is an image")
     has_geometry = not (spacing is None and origin is None and direction is None)
     foreign = not is_image(image) and is_foreign(image)
-    if foreign or is_image(image) or isinstance(image, (str, os.PathLike)):
+    if foreign or is_image(image) or is_path:
         if has_geometry:
             raise TypeError(
                 "spacing, origin and direction belong to arrays; images and files have theirs"
@@ -180,7 +188,7 @@ def _image_of(
             return adopted("image", image)
         if is_image(image):
             return image
-        return read_image(image, progress=progress if progress is True else None)
+        return read_image(image, series=series, progress=progress if progress is True else None)
     if not hasattr(image, "__array__"):
         raise TypeError(
             f"image: a {IMAGE_NAME}, an array or the name of a file is needed, not {image!r:.80}"

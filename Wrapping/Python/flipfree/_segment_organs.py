@@ -60,6 +60,7 @@ def segment_organs(
     image: AnyImage,
     organs: Mapping[str, Any],
     *,
+    series: str | None = None,
     spacing: Sequence[float] | None = None,
     origin: Sequence[float] | None = None,
     direction: npt.ArrayLike | None = None,
@@ -71,7 +72,7 @@ def segment_organs(
 
     Each organ is the others' background: its seed and inside points are outside points of all others.
 
-    image, spacing, origin, direction, progress
+    image, series, spacing, origin, direction, progress
         As for segment().
     organs
         By the name of each organ its seed sphere, (seed, radius) as for segment(); or, with points
@@ -108,7 +109,7 @@ def segment_organs(
         algorithm.add_organ(str(name), center, radius, constraints)
     for surface in fixed:
         algorithm.add_fixed(surface)
-    volume = _image_of(image, spacing, origin, direction, progress)
+    volume = _image_of(image, series, spacing, origin, direction, progress)
     with progress_of(progress, "segmenting") as tell:
         found, label_map = algorithm.run(volume, tell)
     for name, result in zip(organs, found):

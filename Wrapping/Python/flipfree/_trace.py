@@ -24,6 +24,7 @@ def trace(
     image: AnyImage,
     points: Points | npt.NDArray[Any],
     *,
+    series: str | None = None,
     inside: Points = (),
     outside: Points = (),
     boundary: Points = (),
@@ -46,7 +47,7 @@ def trace(
         Lists of points (x, y, z) in mm that correct the result: the surface obeys them as that of
         segment() does, and the path keeps 3 mm away from points outside, where it can. corrected()
         of the result adds more.
-    spacing, origin, direction, progress
+    series, spacing, origin, direction, progress
         As for segment().
 
     Raises SegmentationError if there is no segmentation, FileError if the file cannot be read,
@@ -77,7 +78,7 @@ def trace(
     set_parameters("trace", algorithm.settings, TRACE_PARAMETERS, parameters)
     places = places_of("points", points)
     constraints = constraints_of(inside, outside, boundary, ())
-    volume = _image_of(image, spacing, origin, direction, progress)
+    volume = _image_of(image, series, spacing, origin, direction, progress)
 
     def run(corrections: tuple[Constraint, ...], progress: ProgressOption) -> Vessel:
         with progress_of(progress, "tracing") as tell:

@@ -12,6 +12,7 @@ from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
 from ._parameters import names_of, snake_case
+from ._provenance import with_series
 from ._questions import questions_of
 from ._run import run
 from ._segmentation import Segmentation, Surface, Vessel
@@ -145,7 +146,7 @@ class SegmentationAlgorithm:
             warn(with_names(text, NAMES))
         certified = bool(self.settings.get("Guard")[0])
         return Segmentation(
-            **_found(answer, certified),
+            **_found(answer, image, certified),
             label_map=_labels_of(answer, image),
             questions=questions_of(answer["questions"]),
             history=tuple(
@@ -197,7 +198,7 @@ class GroupAlgorithm:
                 warn(f"'{name}': {with_names(text, NAMES)}")
             organs.append(
                 Segmentation(
-                    **_found(organ, certified=True),
+                    **_found(organ, image, certified=True),
                     label_map=label_map,
                     constraints=constraints,
                     questions=questions_of(organ["questions"]),
@@ -233,7 +234,7 @@ class VesselAlgorithm:
         for text in answer["warnings"]:
             warn(with_names(text, names))
         return Vessel(
-            **_found(answer, certified=True),
+            **_found(answer, image, certified=True),
             label_map=_labels_of(answer, image),
             branches=answer["branches"],
             stage_seconds=tuple(answer["stage_seconds"]),
@@ -341,10 +342,12 @@ def _segmented(
     return answer
 
 
-def _found(answer: Mapping[str, Any], certified: bool) -> dict[str, Any]:
+def _found(answer: Mapping[str, Any], image: Image, certified: bool) -> dict[str, Any]:
     """What the kernels say of every organ and vessel, as fields of a Segmentation."""
+    surface = answer["surface"]
+    provenance = with_series(surface["provenance"], image.series)
     return {
-        "mesh": Surface(**answer["surface"], certified=certified),
+        "mesh": Surface(**{**surface, "provenance": provenance}, certified=certified),
         "iterations": answer["iterations"],
         "stop_reason": answer["stop_reason"],
         "boundary_found": answer["boundary_found"],

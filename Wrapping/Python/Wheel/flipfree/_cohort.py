@@ -63,7 +63,8 @@ def cohort(
 
     table
         The name of a CSV file, a pandas.DataFrame, or a list of dictionaries. Columns: volume (a file
-        or a folder of DICOM files); of an organ seed_x, seed_y, seed_z and radius (LPS mm), and if
+        or a folder of DICOM files) and, where a folder holds several, series (the UID, as
+        flipfree.series() lists them); of an organ seed_x, seed_y, seed_z and radius (LPS mm), and if
         wanted inside, outside and boundary (lists of points, LPS mm: "1 2 3; 4 5 6") and corrections
         (a file of points, .csv or .mrk.json); of a vessel points (a list or a file) in place of all
         of these; if wanted, case and organ (names), reference and reference_label (a label map to
@@ -91,8 +92,9 @@ def cohort(
       ...
     flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed. Vessels have points in their place.
     """
-    if threads < 1 or workers < 0:
-        raise ValueError(f"threads, workers: {threads}, {workers} are out of range; the least values are 1, 0")
+    for name, number, least in (("threads", threads, 1), ("workers", workers, 0)):
+        if number < least:
+            raise ValueError(f"{name}: {number} is out of range; the least value is {least}")
     # What it imports would make the package slow to import.
     from ._cohort_run import run_cohort
     from ._cohort_table import rows_of

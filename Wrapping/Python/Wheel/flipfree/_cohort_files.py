@@ -12,6 +12,7 @@ import json
 import os
 from typing import Any
 
+from . import _kernels
 from ._atomic import write_text
 from ._cohort_table import Row
 
@@ -100,6 +101,7 @@ def request_of(row: Row) -> dict[str, Any]:
                 "parameters": row.parameters,
                 "reference_label": row.reference_label,
                 "has_reference": bool(row.reference),
+                **({"series": row.series} if row.series else {}),
                 **({"points": points} if points else {}),
             },
             sort_keys=True,
@@ -128,5 +130,4 @@ def stamp_of(path: str, known: Stamp | None = None) -> Stamp:
 def _files_of(path: str) -> list[str]:
     if not os.path.isdir(path):
         return [path]
-    names = (os.path.join(path, name) for name in sorted(os.listdir(path)))
-    return [name for name in names if os.path.isfile(name)]
+    return [name for name in _kernels.dicom_files(path) if os.path.isfile(name)]

@@ -22,10 +22,10 @@ from ._types import PathName, Preset
 
 SEED = ("seed_x", "seed_y", "seed_z", "radius")
 REQUIRED = ("volume", *SEED)
-OPTIONAL = ("case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
+OPTIONAL = ("series", "case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
 KNOWN = (*REQUIRED, *OPTIONAL, *SEGMENT_PARAMETERS, *TRACE_PARAMETERS)
 # All but the texts are numbers, or lists of them.
-TEXTS = ("volume", "case", "organ", "reference", "preset", "corrections")
+TEXTS = ("volume", "series", "case", "organ", "reference", "preset", "corrections")
 NUMERIC = tuple(column for column in KNOWN if column not in TEXTS)
 # The scores in a row and their columns, which name the unit: asd_mm.
 SCORES = {
@@ -33,10 +33,13 @@ SCORES = {
     for name, (_, unit) in SCORE_COLUMNS.items()
     if name in ("dice", "jaccard", "asd", "hd95")
 }
+# Shorter words are near many others.
+SHORTEST_SLIP = 5
 # What a segmentation adds to a row, and of which type it is.
 RESULTS: dict[str, type] = {
     "status": str,
     "message": str,
+    "series_read": str,
     "confidence": float,
     "questions": int,
     "first_question": str,
@@ -64,6 +67,8 @@ class Row:
     cells: dict[str, str]
     """As they stand in the table."""
     volume: str = ""
+    series: str = ""
+    """Of a folder of DICOM files, as read_image() takes it."""
     seed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     radius: float = 0.0
     reference: str = ""
@@ -111,7 +116,7 @@ def _require_columns(name: str, columns: list[str]) -> None:
     lacking = [column for column in required if column not in columns]
     if lacking:
         raise FlipFreeError(
-            f"'{name}' lacks the columns {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
+            f"'{name}' lacks the {'columns' if lacking[1:] else 'column'} {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
             + (" Vessels have points in their place." if set(lacking) & set(SEED) else "")
             + (" Separate cells by commas, semicolons or tabs." if not set(columns) & set(KNOWN) else "")
         )
@@ -122,11 +127,23 @@ def _require_columns(name: str, columns: list[str]) -> None:
         )
     for column in columns:
         near = difflib.get_close_matches(column.lower(), KNOWN, n=1, cutoff=0.85)
+        near = near or [known for known in KNOWN if _is_slip(column.lower(), known)]
         if column not in KNOWN and near:
             raise FlipFreeError(
                 f"'{name}': the column '{column}' is nearly '{near[0]}'. Correct it, or rename it if it "
                 "is something else."
             )
+
+
+def _is_slip(word: str, known: str) -> bool:
+    """Whether a word of some length has a letter more, less or instead, or two letters exchanged."""
+    start = len(os.path.commonprefix([word, known]))
+    rests = [word[start:], known[start:]]
+    end = len(os.path.commonprefix([rest[::-1] for rest in rests]))
+    one, other = (rest[: len(rest) - end] for rest in rests)
+    return len(word) >= SHORTEST_SLIP and (
+        max(len(one), len(other)) == 1 or (len(one) == 2 and one == other[::-1])
+    )
 
 
 def _row(cells: Mapping[str, str], folder: str, number: int = 1) -> Row:
@@ -167,6 +184,7 @@ def _files(given: Mapping[str, str], folder: str) -> dict[str, Any]:
     label = _whole(given, "reference_label") if "reference_label" in given else -1
     return {
         "volume": _path(folder, _cell(given, "volume")),
+        "series": given.get("series", ""),
         "reference": _path(folder, given.get("reference", "")),
         "reference_label": label,
     }
@@ -177,7 +195,9 @@ def _name(given: Mapping[str, str]) -> str:
     words = [given[column] for column in ("case", "organ") if column in given]
     if "case" not in given:
         stem = re.sub(r"\.(nii|nii\.gz|nrrd|nhdr|mha|mhd)$", "", os.path.basename(given.get("volume", "")))
-        seed = " ".join([*(given.get(column, "") for column in REQUIRED), *given.get("points", "").split()])
+        seed = " ".join(
+            [*(given.get(column, "") for column in REQUIRED), *given.get("points", "").split(), *given.get("series", "").split()]
+        )
         words = [stem or "row", *words, hashlib.sha256(seed.encode()).hexdigest()[:6]]
     return re.sub(r"[^\w.-]+", "_", "-".join(words)).strip("._") or "row"
 

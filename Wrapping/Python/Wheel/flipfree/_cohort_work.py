@@ -5,9 +5,11 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import re
 import socket
 import time
 import warnings
+from collections.abc import Iterator
 from typing import Any
 
 from ._atomic import replacing
@@ -53,11 +55,12 @@ class _Volume:
         self.stamp: Stamp = {}
         self.seconds = 0.0
 
-    def read(self, path: str) -> Image:
+    def read(self, row: Row) -> Image:
         if self.image is None:
             start = time.perf_counter()
-            self.image = read_image(path)
-            self.stamp = stamp_of(path)
+            with _said_of(row, "columns volume and series" if row.series else "column volume"):
+                self.image = read_image(row.volume, series=row.series or None)
+            self.stamp = stamp_of(row.volume)
             self.seconds = time.perf_counter() - start
         return self.image
 
@@ -81,7 +84,7 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
             os.makedirs(folder_of(row, output), exist_ok=True)
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always", FlipFreeWarning)
-                image = volume.read(row.volume)
+                image = volume.read(row)
                 # Before they are read: what changes later is another content. One that is not there is
                 # an error then.
                 inputs = {
@@ -107,6 +110,7 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
 def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     organ = _found(row, image)
     values: dict[str, Any] = {
+        "series_read": image.series or None,
         # Which is about organs; rounded down as in the warning.
         "confidence": None if row.is_vessel else math.floor(1e4 * organ.confidence) / 1e4,
         "questions": None if row.is_vessel else len(organ.questions),
@@ -117,7 +121,8 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
         "self_intersections": organ.self_intersections,
     }
     if row.reference:
-        scores = evaluate(organ, row.reference, reference_label=row.reference_label)
+        with _said_of(row, "column reference" if row.reference_label < 0 else "columns reference and reference_label"):
+            scores = evaluate(organ, row.reference, reference_label=row.reference_label)
         values.update(
             (column, round(getattr(scores, field), 4 if column.endswith("_mm") else 6))
             for field, column in SCORES.items()
@@ -140,9 +145,33 @@ def _found(row: Row, image: Image) -> Segmentation:
         corrections = {} if row.is_vessel else corrections_of(row.points)
     except ValueError as error:
         raise FlipFreeError(f"row {row.number}, column {error}") from error
-    if row.is_vessel:
-        return trace(image, points, **row.parameters)
-    return segment(image, row.seed, row.radius, **corrections, **row.parameters)
+    with _said_of(row):
+        if row.is_vessel:
+            return trace(image, points, **row.parameters)
+        return segment(image, row.seed, row.radius, **corrections, **row.parameters)
+
+
+@contextlib.contextmanager
+def _said_of(row: Row, columns: str = "") -> Iterator[None]:
+    """What goes wrong is said of the row and of the columns in which it can be mended."""
+    try:
+        yield
+    except (FlipFreeError, TypeError, ValueError) as error:
+        text = str(error)
+        place = columns or _columns_of(row, text)
+        # Such a message begins with the column's name itself.
+        separator = " " if place == "column" else ": "
+        raise FlipFreeError(f"row {row.number}{f', {place}' if place else ''}{separator}{text}") from error
+
+
+def _columns_of(row: Row, text: str) -> str:
+    """Those that a message of segment() or trace() is about; empty where it does not say."""
+    if text.partition(":")[0] in row.parameters:
+        return "column"
+    if re.search(r"\bthe seed\b", text):
+        return "columns seed_x, seed_y, seed_z and radius"
+    kinds = [kind for kind in ("inside", "outside", "boundary") if f"the {kind} point" in text]
+    return f"column {kinds[0]}" if kinds else "column points" if row.is_vessel else ""
 
 
 def _write(row: Row, output: str, image: Image, organ: Segmentation) -> None:

@@ -38,7 +38,7 @@ def cohort(values: dict[str, Any]) -> None:
     if result.failed:
         failed = [(n, row) for n, row in enumerate(result.rows, 1) if row["status"] != "done"]
         for number, row in failed[:3]:
-            message = re.sub("^row [0-9]+, ", "", " ".join(row["message"].split()))
+            message = re.sub("^row [0-9]+(, |: )", "", " ".join(row["message"].split()))
             print(f"flipfree: error: row {number}: {message}", file=sys.stderr)
         raise FlipFreeError(
             f"{len(failed)} of {_rows(len(result.rows))} failed. Their messages are in "

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 from ._atomic import replacing, write_table, write_text
+from ._dicom import may_hold_series
 from ._errors import FileError
 from ._files import write_image
 from ._image import Image
@@ -69,13 +70,13 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
         others = ("input", "start_labels", "session", *(() if name == "save_points" else ("points",)))
         inputs = [values[other] for other in others if other in values]
         require_place(path, [*inputs, *strokes_of(values)])
-    if not os.path.isdir(values["input"]) and "series" in values:
+    if not os.path.exists(values["input"]):
+        raise unreadable(values["input"])
+    if "series" in values and not may_hold_series(values["input"]):
         raise WrongUsage(
             f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
             "option, or give the folder"
         )
-    if not os.path.exists(values["input"]):
-        raise unreadable(values["input"])
     if "start_label" in values and "start_labels" not in values:
         raise WrongUsage("--start-label selects a value of --start-labels. Give that file, too")
     if "snapshot" in outputs:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import time
 from collections.abc import Iterable
 from functools import partial
@@ -32,6 +31,7 @@ from ._command_outputs import (
 )
 from ._command_seed import seeds_in
 from ._corrections import Constraint, answers_of
+from ._dicom import may_hold_series
 from ._errors import FlipFreeError
 from ._files import read_image, write_image
 from ._image import Image
@@ -58,7 +58,7 @@ def segment(values: dict[str, Any]) -> None:
     session = _session_of(values)
     if session and "input" not in values:
         values = {**values, "input": image_beside(session)}
-    if session and session.series and "series" not in values and os.path.isdir(values["input"]):
+    if session and session.series and "series" not in values and may_hold_series(values["input"]):
         values = {**values, "series": session.series}
     if session and session.together:
         segment_together(session, values, progress)

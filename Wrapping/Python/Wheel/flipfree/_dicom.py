@@ -23,6 +23,11 @@ from ._types import Progress
 T = TypeVar("T")
 
 
+def may_hold_series(path: str) -> bool:
+    """Whether it is a folder, or a DICOM file of several frames."""
+    return os.path.isdir(path) or bool(_kernels.dicom_files(path))
+
+
 def series_in(folder: str, tell: Progress | None) -> list[tuple[Any, ...]]:
     """The fields of each Series."""
 
@@ -36,7 +41,7 @@ def series_in(folder: str, tell: Progress | None) -> list[tuple[Any, ...]]:
             for *names, spacing, problem in found.list()
         ]
 
-    if not os.path.isdir(folder):
+    if not may_hold_series(folder):
         raise FileError(f"'{folder}' is not a folder. Give the folder of DICOM files.")
     return _run(list_series, tell)
 
@@ -93,7 +98,7 @@ def _inflated(packed: bytes, most: int) -> bytes:
 
 def _decoded(folder: str, file: bytes) -> bytes:
     """The pixels of a minimal DICOM file; none where they are damaged."""
-    sitk = simpleitk(folder, ARRAY_INSTEAD)
+    sitk = simpleitk(folder, "compressed DICOM", ARRAY_INSTEAD)
     with tempfile.TemporaryDirectory() as place:
         name = os.path.join(place, "compressed.dcm")
         with open(name, "wb") as stream:

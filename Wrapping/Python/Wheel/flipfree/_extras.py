@@ -43,13 +43,16 @@ def remedy(extra: str) -> str:
 ARRAY_INSTEAD = "; or give an array with spacing, origin and direction, or an image of nibabel"
 
 
-def simpleitk(name: str, instead: str = "") -> Any:
-    """SimpleITK, which keeps its warnings to itself; `instead` is what to do without it."""
+def simpleitk(name: str, what: str = "an image file", instead: str = "") -> Any:
+    """SimpleITK, which keeps its warnings to itself.
+
+    `what` needs it, in the file or folder of that name; `instead` is what to do without it.
+    """
     try:
         sitk = importlib.import_module("SimpleITK")
     except ImportError as error:
         raise FileError(
-            f"'{name}': {missing('SimpleITK', 'an image file', 'io', error)}{instead}"
+            f"'{name}': {missing('SimpleITK', what, 'io', error)}{instead}"
         ) from error
     sitk.ProcessObject.SetGlobalWarningDisplay(False)
     return sitk

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from . import _kernels
 from ._atomic import replacing
-from ._dicom import read_series
+from ._dicom import may_hold_series, read_series
 from ._errors import FileError
 from ._extras import simpleitk
 from ._image import Image
@@ -26,7 +26,10 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
         raise FileError(
             f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
-    image = read_series(name, series, tell) if os.path.isdir(name) else read_volume(name, tell)[0]
+    if may_hold_series(name):
+        image = read_series(name, series, tell)
+    else:
+        image = read_volume(name, tell)[0]
     if tell is not None:
         tell(1.0)
     return image
@@ -37,7 +40,7 @@ def read_labels(name: str, label: str) -> tuple[Image, int | None]:
 
     Without a choice, "", there may be but one label map in the file, and no value.
     """
-    if not os.path.isdir(name) and os.access(name, os.R_OK):
+    if os.access(name, os.R_OK) and not may_hold_series(name):
         return read_volume(name, None, label)
     image = read(name, None, None)  # a series, or why there is nothing
     try:

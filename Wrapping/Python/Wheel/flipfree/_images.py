@@ -28,6 +28,11 @@ def is_image(thing: Any) -> bool:
     return isinstance(thing, Image)
 
 
+def series_of(image: Image) -> str:
+    """The DICOM series that was read; empty for any other image."""
+    return image.series
+
+
 def geometry_like(other: Image, array: Any) -> Image:
     """The voxels of an array as an image with the geometry of another."""
     return image_of(voxels_of(array, masked=0), other.spacing, other.origin, other.direction)

@@ -18,6 +18,7 @@ from ._parameters import Parameter
 Entry = Mapping[str, Any]
 
 COLUMN = 30
+MOST_THREADS = 1024
 # Of values that are not the keywords of a function.
 INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
 TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE", "FORMAT"}
@@ -26,11 +27,12 @@ COHORT: Entry = {
     "name": "cohort",
     "description": "Segment the organs and vessels of many volumes, several at a time",
     "footer": "TABLE is a CSV file with a row per organ or vessel. Its columns: volume (a file or a DICOM\n"
-    "folder); of an organ seed_x, seed_y, seed_z and radius in LPS millimeters, and if wanted inside,\n"
-    "outside and boundary (points: 1 2 3; 4 5 6) and corrections (a file of points, .csv or .mrk.json);\n"
-    "of a vessel points (a list or a file) in place of these; if wanted, case and organ (names),\n"
-    "reference and reference_label (a label map to compare with), and any parameter of flipfree.segment\n"
-    "or flipfree.trace. Files are found from the table's folder. In DIR there are then cohort.csv, cohort.parquet, report.html and a\n"
+    "folder) and, where the folder holds several, series (as 'flipfree series' lists them); of an organ\n"
+    "seed_x, seed_y, seed_z and radius in LPS millimeters, and if wanted inside, outside and boundary\n"
+    "(points: 1 2 3; 4 5 6) and corrections (a file of points, .csv or .mrk.json); of a vessel points (a\n"
+    "list or a file) in place of these; if wanted, case and organ (names), reference and reference_label\n"
+    "(a label map to compare with), and any parameter of flipfree.segment or flipfree.trace. Files are\n"
+    "found from the table's folder. In DIR there are then cohort.csv, cohort.parquet, report.html and a\n"
     "folder with files for each row. The same command again does only what is missing or has changed.\n"
     "\n"
     "Examples:\n"
@@ -128,6 +130,13 @@ def _label(text: str) -> str:
     return text
 
 
+def _threads(text: str) -> int:
+    number = int(text)
+    if not 0 <= number <= MOST_THREADS:
+        raise argparse.ArgumentTypeError(f"{number} is out of range. Give 0 to {MOST_THREADS}")
+    return number
+
+
 def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> None:
     name = destination(option)
     on = [spelled for spelled in option["names"] if not spelled.startswith("--no-")]
@@ -140,7 +149,9 @@ def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> 
     unit = option["values"][0]
     known = parameters[name].type if name in parameters else None
     kind: Any = float
-    if known is int or (known is None and unit in INTEGERS):
+    if name == "threads":
+        kind = _threads
+    elif known is int or (known is None and unit in INTEGERS):
         kind = int
     elif known is None and unit in TEXTS:
         kind = str

@@ -1,6 +1,6 @@
-"""Points as files: tables, and markups of 3D Slicer.
+"""Points as files: tables, which the kernels read, and markups of 3D Slicer.
 
-The toolkit's command reads those that correct a segmentation, too (PointFile.cxx); a test holds the two
+The toolkit's command reads markups that correct a segmentation, too (PointFile.cxx); a test holds the two
 together.
 """
 
@@ -12,21 +12,20 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from . import _kernels
 from ._atomic import write_text
 from ._coordinates import swap_lps_ras
 from ._corrections import SEED, Constraint
 from ._errors import FileError
-from ._messages import listed
+from ._messages import listed, warn
 from ._unreadable import unreadable
 
 ENDINGS = (".csv", ".mrk.json")
 KINDS = ("outside", "inside", "boundary", "seed")
-COLUMNS = (["kind", "x", "y", "z"], ["kind", "x", "y", "z", "radius"])
 SCHEMA = (
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
     "Schema/markups-schema-v1.0.3.json#"
 )
-SPACE = " \t\r"
 SAME_PLACE = 1e-3  # mm; points of a stroke that are nearer than this are one
 # Millimeters per unit, by UCUM's codes: a factor, and a divisor, so that whole micrometers are exact.
 UNITS = {
@@ -46,12 +45,15 @@ class _Wrong(Exception):
 
 def read_points(path: str) -> list[Constraint]:
     """The points that correct a segmentation, in the file's order; raises FileError."""
-    return _read(path, _constraint_of_cells, _constraint_of_control, "kind, x, y, z and radius")
+    found = _read(path, _constraints_of_table, _constraint_of_control, "kind, x, y, z and radius")
+    if not found:
+        warn(f"'{path}' holds no points, so nothing is corrected by it.")
+    return found
 
 
 def read_places(path: str) -> list[tuple[float, ...]]:
     """Points of one kind: a table of x, y, z, or control points of any label; raises FileError."""
-    return _read(path, _place_of_cells, _place_of_control, "x, y and z")
+    return _read(path, _places_of_table, _place_of_control, "x, y and z")
 
 
 def read_stroke(path: str) -> list[tuple[float, ...]]:
@@ -81,15 +83,17 @@ def write_points(path: str, constraints: Sequence[Constraint]) -> None:
 
 def _read(
     path: str,
-    of_cells: Callable[[list[str], bool], Any],
+    of_table: Callable[[str, str], list[Any]],
     of_control: Callable[[str, list[float]], Any],
     columns: str,
 ) -> list[Any]:
     text = _text_of(path)
     try:
         if path.lower().endswith(".csv"):
-            return _of_table(text, of_cells)
+            return of_table(path, text)
         return _of_markups(text, of_control)
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
     except _Wrong as error:
         raise FileError(f"'{path}', {error}.") from error
     except (LookupError, TypeError, AttributeError, ValueError, RecursionError) as error:
@@ -113,54 +117,13 @@ def _text_of(path: str) -> str:
     return text
 
 
-def _of_table(text: str, of_cells: Callable[[list[str], bool], Any]) -> list[Any]:
-    found: list[Any] = []
-    is_first = True
-    for number, line in enumerate(text.split("\n"), 1):
-        cells = _cells_of(line)
-        if not cells:
-            continue
-        try:
-            one = of_cells(cells, is_first)
-        except _Wrong as error:
-            raise _Wrong(f"line {number}: {error}") from error
-        found += [one] if one is not None else []
-        is_first = False
-    return found
+def _constraints_of_table(path: str, text: str) -> list[Constraint]:
+    rows = _kernels.read_constraint_table(path, text)
+    return [Constraint(kind, tuple(place), radius) for kind, place, radius in rows]
 
 
-def _cells_of(line: str) -> list[str]:
-    """What stands between commas, without quotes around it; empty cells at the end do not count."""
-    cells = [cell.strip(SPACE) for cell in line.split(",")]
-    cells = [
-        cell[1:-1].strip(SPACE) if len(cell) > 1 and cell[0] == cell[-1] == '"' else cell
-        for cell in cells
-    ]
-    while cells and not cells[-1]:
-        cells.pop()
-    return cells
-
-
-def _constraint_of_cells(cells: list[str], is_first: bool) -> Constraint | None:
-    """Nothing for the columns' names, which the first line may have."""
-    if is_first and _lower(cells[0]) == "kind":
-        if [_lower(cell) for cell in cells] not in COLUMNS:
-            raise _Wrong("the columns are kind, x, y, z and, for seeds, radius, in this order")
-        return None
-    if len(cells) not in (4, 5):
-        raise _Wrong(f"cells separated by commas: {len(cells)}; needed are kind, x, y, z and, of a seed, radius")
-    place = [_number(cell) for cell in cells[1:4]]
-    return _constraint(_lower(cells[0]), place, _number(cells[4]) if len(cells) == 5 else 0.0)
-
-
-def _place_of_cells(cells: list[str], is_first: bool) -> tuple[float, ...] | None:
-    if is_first and _lower(cells[0]) == "x":
-        if [_lower(cell) for cell in cells] != ["x", "y", "z"]:
-            raise _Wrong("the columns are x, y, z, in this order")
-        return None
-    if len(cells) != 3:
-        raise _Wrong(f"cells separated by commas: {len(cells)}; needed are x, y, z")
-    return tuple(_number(cell) for cell in cells)
+def _places_of_table(path: str, text: str) -> list[tuple[float, ...]]:
+    return [tuple(place) for place in _kernels.read_place_table(path, text)]
 
 
 def _of_markups(text: str, of_control: Callable[[str, list[float]], Any]) -> list[Any]:

@@ -77,13 +77,20 @@ def read_session(name: str) -> Session:
         return _session_of(name, content)
     except (KeyError, TypeError) as error:
         raise FileError(
-            f"'{name}' is not a session that the page or --save-session has saved: {error!r} is wrong in it. "
+            f"'{name}' is not a session that the page or --save-session has saved: {_reason(error)}. "
             "Save it again."
         ) from error
     except ValueError as error:
         raise FileError(
             f"'{name}' cannot be repeated: {error}. Open it in the page and save it again."
         ) from error
+
+
+def _reason(error: Exception) -> str:
+    """What is wrong in a file, in place of what Python says of it."""
+    if isinstance(error, KeyError):
+        return f"key {error} not found"
+    return "a value is of another type than it has in a session"
 
 
 def _session_of(name: str, content: dict[str, Any]) -> Session:
@@ -130,7 +137,7 @@ def _each(entries: Iterable[Any], name: str, read: Callable[[Any], T]) -> list[T
         try:
             found.append(read(entry))
         except (KeyError, TypeError, AttributeError) as error:
-            raise ValueError(f"{name} {number}: {error!r} is wrong in it") from error
+            raise ValueError(f"{name} {number}: {_reason(error)}") from error
         except (ValueError, FlipFreeError) as error:
             raise ValueError(f"{name} {number}: {error}") from error
     return found
