@@ -509,7 +509,7 @@ test("files are read as the command reads them", async () => {
   const pair = await opened("pair.raw", "pair.mhd");
   assert.deepEqual(pair.image.voxels, grid.voxels);
   assert.deepEqual(pair.image.origin, [...grid.origin]);
-  await assert.rejects(opened("pair.mhd"), /'pair\.raw' is missing/);
+  await assert.rejects(opened("pair.mhd"), /There is no file 'pair\.raw'/);
 });
 
 test("lines and bytes before the voxels of an NRRD file are skipped, lines before it is inflated", async () => {

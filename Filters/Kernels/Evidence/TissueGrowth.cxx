@@ -1,5 +1,6 @@
 #include "Evidence/TissueGrowth.h"
 
+#include "Image/VoxelOffsets.h"
 #include "Intensity/GrowingForeground.h"
 #include "Intensity/ModelFit.h"
 

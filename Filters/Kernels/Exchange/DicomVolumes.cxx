@@ -212,6 +212,7 @@ private:
       }
       std::vector<Frames> parts = this->PartsOf(uid, files.Gray);
       std::vector<std::string> strangers;
+      strangers.reserve(parts.size());
       for (const Frames& frames : parts)
       {
         strangers.push_back(this->StrangerTo(frames, parts, uid));

@@ -198,8 +198,8 @@ void WarnOfUnsaid(const std::string& file, const std::vector<Unsaid>& unsaid,
 {
   const char* const taken[] = { "how large its voxels are (1 mm was taken)",
     "how its axes lie in the patient (left, posterior and superior were taken)",
-    "how its axes lie in the patient other than by names (AnatomicalOrientation), which programs "
-    "read differently (left, posterior and superior were taken)",
+    ("how its axes lie in the patient other than by names (AnatomicalOrientation), which programs "
+     "read differently (left, posterior and superior were taken)"),
     "how its axes lie in its space (along the axes of the space was taken)",
     "where its first voxel is (the origin was taken)",
     "in which order the bytes of its voxels are (the least significant first was taken)" };
