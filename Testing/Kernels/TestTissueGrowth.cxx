@@ -132,6 +132,17 @@ TEST(TissueGrowth, KeepsWhatHasGrown)
   EXPECT_FALSE(anew.From({ 16, 2, 1 }, [](double) { return false; }));
 }
 
+TEST(TissueGrowth, BeginsBetweenThickSlices)
+{
+  TwoTissues image(130);
+  image.Geometry.Spacing[2] = 10;
+  image.Geometry.Origin[2] = -200;
+  SmoothRegion region = image.Region();
+  const OrganFeatureSettings settings;
+  TissueGrowth growth(region, 3, settings, Serial);
+  EXPECT_GT(growth.From({ 14, 2, 5 }, NeverStop)->Voxels.Count(), 0U);
+}
+
 TEST(TissueGrowth, IsNoneBesideNoData)
 {
   TwoTissues image(130);

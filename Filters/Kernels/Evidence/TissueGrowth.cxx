@@ -54,7 +54,11 @@ std::shared_ptr<const GrownTissue> TissueGrowth::From(const Eigen::Vector3d& pla
 bool TissueGrowth::Grow(const Eigen::Vector3d& place, const Monitor& monitor, GrownTissue& tissue)
 {
   const ImageGeometry& geometry = this->Region.View().Geometry;
-  const SeedSphere seed{ place,
+  // Between thick slices, a sphere may hold no voxel.
+  const std::array<int, 3> nearest = NearestVoxel(geometry, place);
+  const Eigen::Vector3d center =
+    geometry.ToPhysical(Eigen::Vector3d(nearest[0], nearest[1], nearest[2]));
+  const SeedSphere seed{ center,
     std::max(TissueSeed, TissueSeedVoxels * geometry.Spacing.minCoeff()) };
   GrowingForeground growing(this->Region, seed, this->Settings, 0, this->Parallel);
   if (!growing.SmoothAroundSeed(monitor))
