@@ -160,15 +160,11 @@ private:
   {
     const BitMask& candidate = this->Given.Candidate;
     const ImageGeometry& geometry = this->Foreground.GetGeometry();
-    const auto isIn = [&](const BitMask& mask, const Eigen::Vector3d& place)
-    {
-      const std::array<int, 3> voxel = NearestVoxel(geometry, place);
-      return mask.HasGrid() && mask(voxel[0], voxel[1], voxel[2]);
-    };
     for (PointCorrection& correction : this->Corrections)
     {
+      const std::array<int, 3> voxel = NearestVoxel(geometry, correction.Point);
       if (!correction.IsInside || correction.Away < DeepInNewTissue ||
-        isIn(candidate, correction.Point))
+        (candidate.HasGrid() && candidate(voxel[0], voxel[1], voxel[2])))
       {
         continue;
       }
@@ -178,9 +174,7 @@ private:
       {
         return false;
       }
-      BitMask voxels(geometry);
-      voxels.Insert(tissue->Voxels, tissue->Box.Begin);
-      if (!isIn(voxels, this->Seed.Center))
+      if (!tissue->Holds(NearestVoxel(geometry, this->Seed.Center)))
       {
         correction.Tissue = std::move(tissue);
       }

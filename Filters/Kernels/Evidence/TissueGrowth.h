@@ -9,6 +9,7 @@
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -20,6 +21,16 @@ struct GrownTissue
 {
   VoxelBox Box;   ///< in the grid of the region
   BitMask Voxels; ///< in the box; none where the point's surroundings have no data
+
+  /// Whether it holds a voxel of the region.
+  bool Holds(const std::array<int, 3>& voxel) const
+  {
+    const std::array<int, 3>& first = this->Box.Begin;
+    const std::array<int, 3> in{ { voxel[0] - first[0], voxel[1] - first[1],
+      voxel[2] - first[2] } };
+    return this->Voxels.HasGrid() && this->Voxels.GetGeometry().Contains(in[0], in[1], in[2]) &&
+      this->Voxels(in[0], in[1], in[2]);
+  }
 };
 
 class TissueGrowth

@@ -41,7 +41,7 @@ double AngleBetween(const DicomFrame& a, const DicomFrame& b)
     all << frame.Axes, frame.Normal();
     return all;
   };
-  constexpr double degrees = 180 / 3.14159265358979323846;
+  constexpr double degrees = 180 / EIGEN_PI;
   const double cosine = ((axes(a).transpose() * axes(b)).trace() - 1) / 2;
   return degrees * std::acos(std::max(-1., std::min(1., cosine)));
 }

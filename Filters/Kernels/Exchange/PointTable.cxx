@@ -6,21 +6,12 @@
 #include "Exchange/TableText.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 namespace FlipFree
 {
 namespace
 {
-
-/// With letters from A to Z made small.
-std::string Small(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return word;
-}
 
 std::size_t CountFilled(const std::vector<std::string>& cells)
 {
@@ -86,7 +77,7 @@ private:
   /// Texts alone: names of columns, but for a line whose kind is known and whose numbers are wrong.
   bool IsHeader(const std::vector<std::string>& cells) const
   {
-    return this->Columns.front() != "kind" || !KindNamed(Small(cells.front()));
+    return this->Columns.front() != "kind" || !KindNamed(InSmallLetters(cells.front()));
   }
 
   /// Where the cell of each column is.
@@ -96,7 +87,7 @@ private:
     for (const std::string& column : this->Columns)
     {
       const auto found = std::find_if(cells.begin(), cells.end(),
-        [&column](const std::string& cell) { return Small(cell) == column; });
+        [&column](const std::string& cell) { return InSmallLetters(cell) == column; });
       if (found != cells.end())
       {
         order.push_back(static_cast<std::size_t>(found - cells.begin()));
@@ -156,7 +147,7 @@ ConstraintList ReadConstraintTable(const std::string& name, const std::string& t
         point.Point[axis] = reader.Number(cells[static_cast<std::size_t>(axis) + 1]);
       }
       const double radius = cells[4].empty() ? 0 : reader.Number(cells[4]);
-      const std::string kind = Small(cells[0]);
+      const std::string kind = InSmallLetters(cells[0]);
       const std::optional<ConstraintKind> known = KindNamed(kind);
       if (!known)
       {
