@@ -14,6 +14,7 @@
 #include "Evidence/TissueGrowth.h"
 #include "Intensity/GrowingForeground.h"
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,6 +105,7 @@ private:
   double MeanDistanceOfMobile() const;
   void FreePulled(const PointList& from);
   bool IsGrowing() const;
+  bool IsMoving() const;
   StopReason ReasonToEndLevel() const;
   template <typename Call>
   auto Naming(const Call& call) const
@@ -141,6 +143,7 @@ private:
   std::optional<FaceHulls> Hulls; // if there are constraints
   std::unique_ptr<DeformationSolver> Solver;
   std::vector<double> Distances; // mean distances to the targets, by iteration
+  std::deque<PointList> Recent;  // positions before the last ChangeSpan iterations, to after them
   std::vector<int> Matched;      // vertices, by iteration
   IterationRecord Record;
 };
