@@ -3,6 +3,7 @@
 #include "Evidence/NestedParts.h"
 #include "Evidence/PointWorth.h"
 #include "Evidence/RegionCut.h"
+#include "Evidence/SeveredParts.h"
 #include "Image/BallInside.h"
 #include "Image/DistanceTransform.h"
 #include "Image/VoxelOffsets.h"
@@ -30,6 +31,9 @@ constexpr double OnTopOfMissedPart = 0.5;
 // A point is as deep as the organ if it is so deep in the mask, in radii of the ball around the
 // seed.
 constexpr double DeepInOrganRadii = 1.3;
+// A part behind no wider a neck than this fraction of it leaves; one behind a wider neck, unless
+// the image shows that it is the organ's own.
+constexpr double NarrowNeck = 0.6;
 
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
 // sheets may go all around the organ.
@@ -247,12 +251,15 @@ private:
       {
         return false;
       }
-      const std::vector<std::size_t> part = this->Leaks->PartAround(own, {}, OnTopOfLeak);
-      if (part.empty() && correction.Away > DeepInOrganRadii * this->Ball.Radius)
+      const NestedPart part = this->Leaks->PartAround(own, {}, OnTopOfLeak);
+      if (part.Voxels.empty() && correction.Away > DeepInOrganRadii * this->Ball.Radius)
       {
         this->FreeWhatIsNearer(correction);
       }
-      this->Propose(part, *this->Leaks, correction);
+      if (part.NeckRatio <= NarrowNeck || !this->IsOwn(part.Voxels))
+      {
+        this->Propose(part.Voxels, *this->Leaks, correction);
+      }
       return true;
     }
     if (correction.Tissue)
@@ -263,7 +270,8 @@ private:
     {
       return false;
     }
-    const std::vector<std::size_t> part = this->Missed->PartAround(own, {}, OnTopOfMissedPart);
+    const std::vector<std::size_t> part =
+      this->Missed->PartAround(own, {}, OnTopOfMissedPart).Voxels;
     if (part != this->MissedPart)
     {
       this->OpenedPart = part;
@@ -277,6 +285,24 @@ private:
     return true;
   }
 
+  // Whether the gray values of the mask go on unchanged into a part of it.
+  bool IsOwn(const std::vector<std::size_t>& part) const
+  {
+    if (this->Known.Kind == Modality::MR)
+    {
+      return false; // the coil's field hides it
+    }
+    const double spread = this->SpreadIn(this->Ball);
+    const std::vector<SeveredPart> severed = FindSeveredParts(this->Grid.Blocks,
+      BlockNodes(this->IsIn.size(), [this](std::size_t block) { return this->IsIn[block] != 0; }),
+      this->Smooth, this->Leaks->GetSquaredDistances(),
+      RegionLinks(Smoothness, this->Ball.Radius, spread).EdgeContrast,
+      [&part](std::size_t block) { return !std::binary_search(part.begin(), part.end(), block); });
+    return std::all_of(severed.begin(), severed.end(),
+      [&](const SeveredPart& one)
+      { return EvidenceOfNeighbor(one, {}, spread, this->Known.Kind).value_or(1) < 1; });
+  }
+
   // Of what is not in the mask, the part around the point.
   bool ProposeTissue(const PointCorrection& correction)
   {
@@ -287,8 +313,9 @@ private:
     {
       return false;
     }
-    this->Propose(parts->PartAround(this->Grid.BlockAt(correction.Point), {}, OnTopOfMissedPart),
-      *parts, correction);
+    this->Propose(
+      parts->PartAround(this->Grid.BlockAt(correction.Point), {}, OnTopOfMissedPart).Voxels, *parts,
+      correction);
     return true;
   }
 
@@ -439,7 +466,8 @@ private:
       const std::size_t other = this->Grid.BlockAt(point);
       if (std::binary_search(part.begin(), part.end(), other))
       {
-        const std::vector<std::size_t> back = parts.PartAround(other, { own }, OnTopOfMissedPart);
+        const std::vector<std::size_t> back =
+          parts.PartAround(other, { own }, OnTopOfMissedPart).Voxels;
         std::vector<std::size_t> rest;
         std::set_difference(part.begin(), part.end(), back.begin(), back.end(),
           std::back_inserter(rest));

@@ -24,13 +24,14 @@ NestedParts::NestedParts(std::vector<float> squaredDistances, const ImageGeometr
   }
 }
 
-std::vector<std::size_t> NestedParts::PartAround(std::size_t voxel,
-  const std::vector<std::size_t>& others, double top) const
+NestedPart NestedParts::PartAround(std::size_t voxel, const std::vector<std::size_t>& others,
+  double top) const
 {
   std::vector<std::size_t> part;
   bool isPart = false;
-  for (const DistanceParts& level : this->Levels)
+  for (std::size_t index = 0; index < this->Levels.size(); ++index)
   {
+    const DistanceParts& level = this->Levels[index];
     const int own = level.PartOf[voxel];
     if (own == DistanceParts::Outside || level.HoldsSeed[own])
     {
@@ -65,7 +66,7 @@ std::vector<std::size_t> NestedParts::PartAround(std::size_t voxel,
     if (std::none_of(others.begin(), others.end(),
           [&](std::size_t other) { return std::binary_search(part.begin(), part.end(), other); }))
     {
-      return part;
+      return { std::move(part), NeckRatios[index] };
     }
   }
   return {};

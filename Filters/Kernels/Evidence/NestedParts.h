@@ -12,6 +12,12 @@
 namespace FlipFree
 {
 
+struct NestedPart
+{
+  std::vector<std::size_t> Voxels; ///< ascending; empty: there is no part
+  double NeckRatio = 0;            ///< necks before it are narrower than this fraction of it
+};
+
 class NestedParts
 {
 public:
@@ -22,10 +28,9 @@ public:
 
   const std::vector<float>& GetSquaredDistances() const { return this->Squared; }
 
-  /// The voxels, ascending, of the largest part around a voxel that holds neither the seed nor one
-  /// of `others`, and on top of which the voxel lies: its distance is at least `top` times the
-  /// part's greatest. Empty if there is none.
-  std::vector<std::size_t> PartAround(std::size_t voxel, const std::vector<std::size_t>& others,
+  /// The largest part around a voxel that holds neither the seed nor one of `others`, and on top of
+  /// which the voxel lies: its distance is at least `top` times the part's greatest.
+  NestedPart PartAround(std::size_t voxel, const std::vector<std::size_t>& others,
     double top) const;
 
 private:

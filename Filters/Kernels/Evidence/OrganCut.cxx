@@ -45,7 +45,7 @@ public:
     : Image(image)
     , Seed(seed)
     , Ball(BallInside(mask, seed))
-    , IsMR(modality == Modality::MR)
+    , Kind(modality)
     , Settings(settings)
     , Parallel(parallelFor)
     , Ask(monitor)
@@ -124,8 +124,8 @@ private:
         if (first == 0)
         {
           this->Unaries = FindUnaryTerms(std::move(this->Sums), this->Inside, this->Grid.Blocks,
-            { this->Seed.Center, this->Ball.Radius }, this->OfBall.StandardDeviation, this->IsMR,
-            this->Parallel);
+            { this->Seed.Center, this->Ball.Radius }, this->OfBall.StandardDeviation,
+            this->Kind == Modality::MR, this->Parallel);
           this->WeakenUnsupported();
         }
         if (last == 2)
@@ -235,15 +235,10 @@ private:
       return 0;
     }
     const OrganCutSettings& settings = this->Settings;
-    if (part.Area == 0 || part.Samples < settings.LeastSamples)
-    {
-      return settings.LeastEvidence;
-    }
-    const double least = this->IsMR ? 0 : settings.LeastStepInCT;
-    const double step = part.Step / std::max(settings.NeighborStep * this->Spread, least);
-    const double edge = part.Edge / settings.NeighborEdge;
-    const double evidence = std::max(step * step, edge * edge);
-    const bool mayBeOwn = !this->IsMR && part.Volume >= settings.LeastOwnPart * this->Kept &&
+    const double evidence = EvidenceOfNeighbor(part, settings.Neighbor, this->Spread, this->Kind)
+                              .value_or(settings.LeastEvidence);
+    const bool mayBeOwn = this->Kind != Modality::MR &&
+      part.Volume >= settings.LeastOwnPart * this->Kept &&
       part.Volume <= settings.GreatestOwnPart * this->Kept;
     return mayBeOwn ? evidence : std::max(evidence, settings.LeastEvidence);
   }
@@ -368,7 +363,7 @@ private:
   const ImagePart Image;
   const SeedSphere& Seed;
   const SeedSphere Ball;
-  const bool IsMR;
+  const Modality Kind;
   const OrganCutSettings& Settings;
   const ParallelFor& Parallel;
   const Monitor& Ask;

@@ -10,6 +10,7 @@
 #define FlipFreeOrganCut_h
 
 #include "Evidence/DoubtfulPart.h"
+#include "Evidence/SeveredParts.h"
 #include "Image/BitMask.h"
 #include "Image/ImagePart.h"
 #include "Image/SeedRegion.h"
@@ -36,22 +37,15 @@ struct OrganCutSettings
   /// smoothness wanted grows with the organ, else small organs collapse.
   double Smoothness = 0.2;
 
-  /// The difference of the mean gray values on both sides of a cut, in standard deviations of the
-  /// organ's, and the edge along it (SeveredPart::Edge), that make a part a neighbor: evidence of
-  /// 1, which grows with their squares. In CT, a difference of less than LeastStepInCT (Hounsfield
-  /// units) is what vessels make.
-  double NeighborStep = 0.15;
-  double LeastStepInCT = 2.5;
-  double NeighborEdge = 0.1;
+  NeighborSettings Neighbor;
 
   /// The least evidence in MR, where the coil's field hides the difference between a part and a
   /// neighbor; for parts of less than LeastOwnPart or more than GreatestOwnPart of what the cut
-  /// keeps without them, most of which are neighbors whatever their gray values; and where fewer
-  /// than LeastSamples blocks can be compared.
+  /// keeps without them, most of which are neighbors whatever their gray values; and where gray
+  /// values cannot be compared.
   double LeastEvidence = 2.25;
   double LeastOwnPart = 0.065;
   double GreatestOwnPart = 2;
-  int LeastSamples = 20;
   double LeastPart = 1; ///< ml; of smaller ones, all that lies behind a neck is cut off
 
   /// What a block that nothing supports (OrganCutState) loses of its worth, per mm3.

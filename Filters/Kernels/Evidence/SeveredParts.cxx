@@ -185,6 +185,19 @@ private:
 
 } // namespace
 
+std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
+  double spread, Modality modality)
+{
+  if (part.Area == 0 || part.Samples < settings.LeastSamples)
+  {
+    return std::nullopt;
+  }
+  const double least = modality == Modality::MR ? 0 : settings.LeastStepInCT;
+  const double step = part.Step / std::max(settings.Step * spread, least);
+  const double edge = part.Edge / settings.Edge;
+  return std::max(step * step, edge * edge);
+}
+
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
   const std::function<bool(std::size_t block)>& isKept)

@@ -9,8 +9,10 @@
 #define FlipFreeSeveredParts_h
 
 #include "Image/BlockNetwork.h"
+#include "Intensity/Modality.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace FlipFree
@@ -27,6 +29,22 @@ struct SeveredPart
   double Step = 0;
   int Samples = 0; ///< blocks on the side that has fewer of them
 };
+
+/// What makes a severed part a neighbor of the organ: evidence of 1.
+struct NeighborSettings
+{
+  double Step = 0.15; ///< SeveredPart::Step, in standard deviations of the organ's gray values
+  /// In CT, at least so many Hounsfield units: vessels make a smaller step.
+  double LeastStepInCT = 2.5;
+  double Edge = 0.1; ///< SeveredPart::Edge
+  /// With fewer, or without a cut outside the rim, there is no evidence.
+  int LeastSamples = 20;
+};
+
+/// It grows with the squares of step and edge. `spread` is the standard deviation of the organ's
+/// gray values.
+std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
+  double spread, Modality modality);
 
 /// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
 /// (SmoothBlockMeans()).
