@@ -126,7 +126,10 @@ class Work(unittest.TestCase):
         """All labels of a label map, under the names of a table."""
         run("phantom", "abdomen", "-o", self.folder, "--size", 40, 32, 24, "--spacing", 8, 8, 10)
         names = self.folder / "names.csv"
-        names.write_text('label,name\n6,liver\n2,"right kidney"\n9;vena\n', encoding="utf-8")
+        names.write_text('label,name\n6,liver – all\n2,"right kidney"\n9;vena\n', encoding="utf-8")
+        wrong, latin = self.folder / "wrong.csv", self.folder / "latin.csv"
+        wrong.write_text("6,liver\n-2,kidney\n", encoding="utf-8")
+        latin.write_text("6,Leber \u00e4\n", encoding="latin-1")
         made = {}
         for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
             folder = self.folder / f"surfaces-{name}"
@@ -134,13 +137,14 @@ class Work(unittest.TestCase):
                           "--label", 6, "--label", 2, "--label", 9, "--distance", 0.8, program=program)
             self.assertEqual((process.returncode, process.stderr), (0, ""))
             self.assertEqual(sorted(path.name for path in folder.iterdir()),
-                             ["2-right_kidney.ply", "6-liver.ply", "9-vena.ply", "surfaces.csv"])
+                             ["2-right_kidney.ply", "6-liver_–_all.ply", "9-vena.ply", "surfaces.csv"])
             rows = list(csv.DictReader((folder / "surfaces.csv").read_text(encoding="utf-8").splitlines()))
             numbers = [[float(f"{float(value):.5g}") for key, value in row.items() if key not in ("Name", "File")] for row in rows]
             made[name] = (process.stdout, list(rows[0]), [row["Name"] for row in rows], numbers,
                           [vertices_of(folder / row["File"]).tolist() for row in rows])
         self.assertEqual(made["ours"], made["theirs"])
-        for arguments in (("--exact", "--distance", 0.7), ("--distance", 3), ("--label", 77), ("--names", "nowhere.csv")):
+        for arguments in (("--exact", "--distance", 0.7), ("--distance", 3), ("--label", 77), ("--names", "nowhere.csv"),
+                          ("--names", wrong), ("--names", latin)):
             vain = self.folder / "vain"
             said = [run("surfaces", self.folder / "abdomen-truth.nii.gz", "-o", vain, *arguments, program=program)
                     for program in (OURS, TOOLKIT)]

@@ -2,7 +2,7 @@
 
 #include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
-#include "Exchange/HeaderField.h"
+#include "Exchange/TextWords.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,14 +12,6 @@ namespace FlipFree
 {
 namespace
 {
-
-std::string WithoutBlanks(const std::string& text)
-{
-  const char* const blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 /// Splits text, cell by cell.
 class TableParser
@@ -66,7 +58,7 @@ private:
     const std::size_t end = std::min(this->Text.find_first_of(ends, this->At), this->Text.size());
     cell += this->Text.substr(this->At, end - this->At);
     this->At = end;
-    return WithoutBlanks(cell);
+    return Trimmed(cell);
   }
 
   void SkipBlanks()
@@ -135,9 +127,8 @@ char SaidSeparator(std::string line)
 {
   line.erase(std::remove(line.begin(), line.end(), '"'), line.end());
   const std::string start = "sep=";
-  const bool says = line.size() > start.size() &&
-    std::equal(start.begin(), start.end(), line.begin(),
-      [](unsigned char small, unsigned char letter) { return std::tolower(letter) == small; });
+  const bool says =
+    line.size() > start.size() && InSmallLetters(line.substr(0, start.size())) == start;
   const char separator = says ? line[start.size()] : '\0';
   const bool isSeparator = separator == '\t' || std::ispunct(static_cast<unsigned char>(separator));
   return says && isSeparator &&

@@ -2,6 +2,8 @@
 #include "Bindings.h"
 #include "Numpy.h"
 
+#include "Exchange/FileNames.h"
+#include "Exchange/LabelNameTable.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/PointTable.h"
 #include "Exchange/TableText.h"
@@ -136,6 +138,8 @@ void BindExchange(nb::module_& module)
   module.def("with_decimal_points", &WithDecimalPoints);
   module.def("read_constraint_table", &ConstraintsIn);
   module.def("read_place_table", &PlacesIn);
+  module.def("read_label_names", &ReadLabelNameTable);
+  module.def("file_name_part", &FileNamePart);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")
     .def("__init__",
       [](VolumeFileHeader* header, const std::string& name, const nb::bytes& start)
