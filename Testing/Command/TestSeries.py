@@ -97,7 +97,8 @@ class TestSeries(command.CommandTest):
         self.assertEqual([line.split()[0] for line in process.stdout.splitlines()[1:]], [FIRST, SECOND])
 
     def test_a_file_of_several_stacks(self):
-        path = os.path.join(self.inputs, "stacks.dcm")
+        path = os.path.join(self.inputs, "stacks", "stacks.dcm")
+        os.makedirs(os.path.dirname(path), exist_ok=True)
         dicom.write_stacks(path, [ball(13), ball(11)], (1, 1, 2), FIRST)
         process = command.run("series", path)
         self.assert_succeeds(process)

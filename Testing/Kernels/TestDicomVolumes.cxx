@@ -228,6 +228,12 @@ TEST(DicomVolumes, EnhancedFramesByTheirPlaces)
   ExampleFolder with;
   with.Add("e.dcm", ExampleDicom::FileOf(ExampleDicom::Enhanced(options, gap)));
   ExpectRefusal(with.Read(), { "1 slice is missing", "frame 1 of 'e.dcm'", "frame 3 of 'e.dcm'" });
+
+  auto twice = frames;
+  twice[2].Position = twice[0].Position;
+  ExampleFolder same;
+  same.Add("e.dcm", ExampleDicom::FileOf(ExampleDicom::Enhanced(options, twice)));
+  ExpectRefusal(same.Read(), { "at the same place", "Export each volume as a series of its own" });
 }
 
 TEST(DicomVolumes, SeveralVolumesAreChosenByNumber)
@@ -462,6 +468,25 @@ TEST(DicomVolumes, ADamagedFileOfTheSeriesIsAnError)
   ExpectRefusal(folder.Read(), { "a3.dcm", "may be a slice" });
   folder.Bytes[3].clear();
   ExpectRefusal(folder.Read(), { "a3.dcm", "empty" });
+}
+
+TEST(DicomVolumes, AHalfCopyOfASliceIsLeftOut)
+{
+  ExampleFolder folder;
+  folder.AddSeries("a", 8);
+  const std::string half = folder.Bytes[3].substr(0, folder.Bytes[3].size() - 10);
+  ExampleFolder copied = folder;
+  copied.Add("a3.dcm.part", half);
+  const DicomFolder found = copied.Read();
+  const DicomVolume& volume = ChooseDicomVolume(found, "");
+  EXPECT_EQ(volume.Frames.size(), 8U);
+  ExpectWords(WarningOfLeftOut(found, volume), { "1 file is left out", "the same slice again" });
+  // Of no slice that is there, or of no one in particular.
+  folder.Bytes[3] = half;
+  ExpectRefusal(folder.Read(), { "a3.dcm", "ends within its pixels" });
+  ExampleFolder twice = copied;
+  twice.Add("copy.dcm", twice.Bytes[3]);
+  ExpectRefusal(twice.Read(), { "a3.dcm.part", "ends within its pixels" });
 }
 
 TEST(DicomVolumes, ASliceCutOffAnywhereIsMissed)

@@ -41,6 +41,7 @@ TEST(LabelNameTable, SeparatedByAnything)
   EXPECT_EQ(NamesIn("1 liver\n3   \"left kidney\"\n"), expected);
   EXPECT_EQ(NamesIn("1,liver\n3;left kidney\n"), expected);
   EXPECT_EQ(NamesIn("# of ours\n1;liver\n3;left kidney\n"), expected);
+  EXPECT_EQ(NamesIn("# of ours\r1;liver\r3;left kidney\r"), expected);
   EXPECT_EQ(NamesIn("1,\"liver, \"\"right\"\"\"\n"), (Names{ { 1, "liver, \"right\"" } }));
   EXPECT_EQ(NamesIn("1,liver\n1,liver\n"), (Names{ { 1, "liver" } }));
 }

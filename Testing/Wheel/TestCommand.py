@@ -114,12 +114,13 @@ class Work(unittest.TestCase):
                 ([*self.seed, "--start-labels", self.truth], 2, "--start-labels takes the place of the seed"),
                 (["--start-labels", self.truth, "--session", "a.json"], 2, "--session has the seed"),
                 (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxels with the value 9; they have 1: set --start-label to a value that they have"),
-                (["--start-labels", "nowhere.nii"], 1, "'nowhere.nii'"),
+                (["--start-labels", "nowhere.nii"], 1, r"\Aflipfree: error: [^:\n]*'nowhere.nii'"),
                 ([*self.seed, "--start-label", 9], 2, "--start-label")):
             with self.subTest(message):
                 process = run("segment", self.volume, *arguments, "-o", self.folder / "bad.stl")
                 self.assertEqual(process.returncode, status, process.stderr)
-                self.assertRegex(process.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\.\n\Z")
+                self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]*\.\n\Z")
+                self.assertRegex(process.stderr, message)
         self.assertFalse((self.folder / "bad.stl").exists())
 
     def test_surfaces_of_labels(self):

@@ -54,16 +54,17 @@ std::vector<std::string> NumberedFiles(const TextFields& fields, const std::stri
       "is the pattern " + Printable(pattern) + ", which is not one such as %03d");
   }
   constexpr long most = 100000;
-  if (step < 1 || last < first || (last - first) / step >= most)
+  const bool isTowards = last == first || (last < first) == (step < 0);
+  if (step == 0 || !isTowards || (last - first) / step >= most)
   {
     fields.Refuse(field, "does not number its files from a first one to a last one");
   }
   const std::size_t digits = std::strtoul(pattern.c_str() + begin + 1, nullptr, 10);
   const char fill = pattern[begin + 1] == '0' ? '0' : ' ';
   std::vector<std::string> files;
-  for (long number = first; number <= last; number += step)
+  for (long index = 0; index <= (last - first) / step; ++index)
   {
-    std::string text = std::to_string(number);
+    std::string text = std::to_string(first + index * step);
     text.insert(0, digits > text.size() ? digits - text.size() : 0, fill);
     files.push_back(pattern.substr(0, begin) + text + pattern.substr(end + 1));
   }

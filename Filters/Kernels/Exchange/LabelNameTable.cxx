@@ -22,11 +22,12 @@ using LabelCells = std::vector<std::string>;
 /// Empty lines in place of comments, so that lines keep their numbers.
 std::string WithoutComments(const std::string& text)
 {
+  const char end = text.find('\n') == std::string::npos ? '\r' : '\n';
   std::istringstream lines(text);
   std::string rest;
-  for (std::string line; std::getline(lines, line);)
+  for (std::string line; std::getline(lines, line, end);)
   {
-    rest += (Trimmed(line).rfind('#', 0) == 0 ? "" : line) + "\n";
+    rest += (Trimmed(line).rfind('#', 0) == 0 ? "" : line) + end;
   }
   return rest;
 }

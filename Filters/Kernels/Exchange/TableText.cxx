@@ -13,6 +13,16 @@ namespace FlipFree
 namespace
 {
 
+/// Spreadsheet programs have a Macintosh form, in which carriage returns alone end lines.
+std::string WithLineFeeds(std::string text)
+{
+  if (text.find('\n') == std::string::npos)
+  {
+    std::replace(text.begin(), text.end(), '\r', '\n');
+  }
+  return text;
+}
+
 /// Splits text, cell by cell.
 class TableParser
 {
@@ -181,10 +191,11 @@ bool HasMark(char mark, const std::string& cell)
 
 TableText ReadTableText(const std::string& name, const std::string& text)
 {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const char said = SaidSeparator(text.substr(0, end));
-  return said ? SplitBy(said, name, text, std::min(end + 1, text.size()), 2)
-              : SplitBy(FoundSeparator(name, text), name, text, 0, 1);
+  const std::string lines = WithLineFeeds(text);
+  const std::size_t end = std::min(lines.find('\n'), lines.size());
+  const char said = SaidSeparator(lines.substr(0, end));
+  return said ? SplitBy(said, name, lines, std::min(end + 1, lines.size()), 2)
+              : SplitBy(FoundSeparator(name, lines), name, lines, 0, 1);
 }
 
 bool AreDecimals(const std::string& cell)
