@@ -7,6 +7,7 @@ import os
 import pty
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -404,6 +405,41 @@ sys.exit(main(sys.argv[1:]))
                 with self.subTest(content, program=program):
                     process = run("evaluate", self.folder / "bad.obj", self.truth, program=program)
                     self.assertRegex(process.stderr, r"\Aflipfree: error: '[^\n]*bad.obj' (cannot be read|has no faces)[^\n]*\n\Z")
+
+    def test_surfaces_of_other_programs(self):
+        """Both read the same of them, or say the same of what is wrong."""
+        points = [(20, 20, 20), (60, 20, 20), (20, 60, 20), (20, 20, 60)]
+        faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        triangles = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for corner in face for x in points[corner]), 0) for face in faces)
+        vertices = "".join("{} {} {}\n".format(*point) for point in points)
+        corners = "".join("3 {} {} {}\n".format(*face) for face in faces)
+        turned = "".join(f"{-x} {-y} {z}\n" for x, y, z in points)
+        element = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        lists = "element face 4\nproperty list uchar int vertex_indices\n"
+        count = struct.pack("<I", 4)
+        ply = "ply\nformat ascii 1.0\n"
+        said = {}
+        for name, content in {
+                "plain.ply": ply + element + lists + "end_header\n" + vertices + corners,
+                "faces-first.ply": ply + lists + element + "end_header\n" + corners + vertices,
+                "ras.ply": ply + "comment 3D Slicer output. SPACE=RAS\n" + element + lists + "end_header\n" + turned + corners,
+                "more.stl": bytes(80) + count + triangles + b"more",
+                "none.stl": bytes(80) + bytes(4) + triangles,
+                "half.stl": bytes(80) + count + triangles[:100],
+                "index.ply": ply + element + lists + "end_header\n" + vertices + corners.replace("3 1 2 3", "3 1 2 9")}.items():
+            with self.subTest(name):
+                path = self.folder / name
+                path.write_bytes(content if isinstance(content, bytes) else content.encode())
+                both = [run("evaluate", path, self.truth, program=program) for program in (OURS, TOOLKIT)]
+                self.assertEqual(*((process.returncode, process.stdout, process.stderr) for process in both))
+                said[name] = both[0].stdout or both[0].stderr
+                self.assertEqual(both[0].stderr.count("\n"), both[0].returncode)
+        for name in ("faces-first.ply", "ras.ply", "more.stl"):
+            self.assertEqual(said[name], said["plain.ply"])
+        self.assertIn("Dice", said["plain.ply"])
+        self.assertIn("has no faces", said["none.stl"])
+        self.assertIn("fewer triangles", said["half.stl"])
+        self.assertIn("face 3 has a vertex that does not exist", said["index.ply"])
 
     def test_written_surfaces_serve_again(self):
         """As triangles, of which most programs read no other faces; as what stays, and as a start."""

@@ -55,6 +55,16 @@ void CheckedPolygons::SwapRasLps()
 double NumberIn(const std::string& word)
 {
   double number = 0;
+  constexpr std::size_t exact = 15; // digits
+  if (!word.empty() && word.size() <= exact &&
+    word.find_first_not_of("0123456789") == std::string::npos)
+  {
+    for (const char digit : word) // indices, of which there are most, in a fraction of the time
+    {
+      number = 10 * number + (digit - '0');
+    }
+    return number;
+  }
   if (!ToNumber(word, number))
   {
     throw PolygonFault("a word is not a number where one is expected");
