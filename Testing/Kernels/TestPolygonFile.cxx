@@ -173,6 +173,8 @@ TEST(PolygonFile, Refusals)
          { "a.ply", "solid", "its header does not end" },
          { "a.stl", BinaryStl("x").substr(0, 200), "fewer triangles than its header says" },
          { "a.stl", "solid\nvertex 1,5 0 0\n", "not a number" },
+         { "a.stl", "solid\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\n",
+           "the position of vertex 1 is not finite" },
          { "a.obj", "v 0 0 0\nf 0 1 1\n", "face 0 has a vertex that does not exist" },
          { "a.obj", "v 0 0 0\nf 1 1\n", "fewer than three" } })
   {

@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface)
 {
   if (!surface->GetPolys()->IsValid() || !surface->GetStrips()->IsValid())
   {
-    throw FlipFree::PolygonFault("its list of faces is damaged");
+    FlipFree::RefusePolygons("its list of faces is damaged");
   }
   FlipFree::CheckedPolygons polygons;
   double point[3];

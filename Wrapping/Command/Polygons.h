@@ -15,12 +15,12 @@ class vtkPolyData;
 namespace Command
 {
 
-/// Throws FlipFree::FileProblem.
+/// Throws FlipFree::FileProblem, naming the file.
 vtkSmartPointer<vtkPolyData> ReadPolygons(const std::string& name);
 
 /// Points and polygons of a surface that VTK has read, triangles in place of strips. Throws
-/// FlipFree::PolygonFault where a polygon has a vertex that does not exist, or a vertex no finite
-/// position.
+/// FlipFree::FileProblem of what is wrong in it, a part of a message, where a polygon has a vertex
+/// that does not exist, or a vertex no finite position.
 vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface);
 
 } // namespace Command

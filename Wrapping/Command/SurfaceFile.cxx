@@ -46,7 +46,14 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(name.c_str());
   Run(reader, "reading");
-  return JudgedPolygons(reader->GetOutput());
+  try
+  {
+    return JudgedPolygons(reader->GetOutput());
+  }
+  catch (const FlipFree::FileProblem& fault)
+  {
+    throw Failure(fault.what());
+  }
 }
 
 template <typename Writer>
@@ -241,10 +248,6 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   catch (const FlipFree::FileProblem& problem)
   {
     throw Failure(problem.what());
-  }
-  catch (const FlipFree::PolygonFault& fault)
-  {
-    throw Failure(FlipFree::DamagedSurface(name, fault.what()));
   }
   catch (const Failure& failure)
   {

@@ -1,5 +1,6 @@
 #include "Exchange/CheckedPolygons.h"
 
+#include "Exchange/FileProblem.h"
 #include "Exchange/TextWords.h"
 
 #include <climits>
@@ -8,6 +9,11 @@
 namespace FlipFree
 {
 
+void RefusePolygons(const std::string& fault)
+{
+  throw FileProblem(FileProblem::Kind::Unusable, fault);
+}
+
 void CheckedPolygons::AddPoint(const double* point)
 {
   constexpr double greatest = 1e9; // mm
@@ -15,7 +21,7 @@ void CheckedPolygons::AddPoint(const double* point)
   {
     if (!(std::abs(point[axis]) <= greatest))
     {
-      throw PolygonFault("the position of vertex " + std::to_string(this->NumberOfPoints()) +
+      RefusePolygons("the position of vertex " + std::to_string(this->NumberOfPoints()) +
         " is not finite, or beyond 1e9 mm");
     }
   }
@@ -27,17 +33,17 @@ void CheckedPolygons::AddFace(const std::vector<std::int64_t>& vertices)
   const std::string face = "face " + std::to_string(this->Offsets.size() - 1);
   if (vertices.size() < 3)
   {
-    throw PolygonFault(face + " has fewer than three vertices");
+    RefusePolygons(face + " has fewer than three vertices");
   }
   if (vertices.size() > INT_MAX - this->Corners.size())
   {
-    throw PolygonFault("its faces have more than 2^31 - 1 corners");
+    RefusePolygons("its faces have more than 2^31 - 1 corners");
   }
   for (const std::int64_t vertex : vertices)
   {
     if (vertex < 0 || vertex >= this->NumberOfPoints() || vertex > INT_MAX)
     {
-      throw PolygonFault(face + " has a vertex that does not exist");
+      RefusePolygons(face + " has a vertex that does not exist");
     }
     this->Corners.push_back(static_cast<int>(vertex));
   }
@@ -67,7 +73,7 @@ double NumberIn(const std::string& word)
   }
   if (!ToNumber(word, number))
   {
-    throw PolygonFault("a word is not a number where one is expected");
+    RefusePolygons("a word is not a number where one is expected");
   }
   return number;
 }
@@ -77,7 +83,7 @@ std::int64_t IndexIn(double number)
   constexpr double greatest = 9e15; // whole numbers are exact up to here
   if (!(std::abs(number) < greatest) || number != std::floor(number))
   {
-    throw PolygonFault("an index or a count is not a whole number");
+    RefusePolygons("an index or a count is not a whole number");
   }
   return static_cast<std::int64_t>(number);
 }

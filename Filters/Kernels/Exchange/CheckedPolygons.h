@@ -5,20 +5,16 @@
 #define FlipFreeCheckedPolygons_h
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace FlipFree
 {
 
-/// What is wrong in a file, as a part of a message.
-struct PolygonFault : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
+/// Throws a FileProblem of what is wrong in a file, a part of the message that ReadPolygonFile()
+/// makes of it, which knows the file's name. All functions here throw it.
+[[noreturn]] void RefusePolygons(const std::string& fault);
 
-/// All functions throw PolygonFault.
 class CheckedPolygons
 {
 public:

@@ -73,7 +73,7 @@ private:
     const std::size_t end = this->Bytes.find('\n', this->At);
     if (end == std::string::npos)
     {
-      throw PolygonFault("its header does not end");
+      RefusePolygons("its header does not end");
     }
     const std::vector<std::string> words = Words(this->Bytes.substr(this->At, end - this->At));
     this->At = end + 1;
@@ -87,7 +87,7 @@ private:
   {
     if (this->LineOfHeader() != std::vector<std::string>{ "ply" })
     {
-      throw PolygonFault("it does not begin with 'ply'");
+      RefusePolygons("it does not begin with 'ply'");
     }
     static const std::map<std::string, PlyForm> forms{ { "ascii", PlyForm::Text },
       { "binary_little_endian", PlyForm::LittleEndian },
@@ -115,19 +115,19 @@ private:
       }
       else if (first != "comment" && first != "obj_info")
       {
-        throw PolygonFault("a line of its header is not understood");
+        RefusePolygons("a line of its header is not understood");
       }
     }
     if (!hasForm)
     {
-      throw PolygonFault("its header does not state the format");
+      RefusePolygons("its header does not state the format");
     }
     for (const PlyElement& element : this->Elements)
     {
       // Each takes at least a byte, so that a wrong count ends with the file.
       if (element.Count < 0 || (element.Properties.empty() && element.Count > 0))
       {
-        throw PolygonFault("it cannot hold so many elements");
+        RefusePolygons("it cannot hold so many elements");
       }
     }
   }
@@ -154,7 +154,7 @@ private:
     {
       if (coordinates != 3)
       {
-        throw PolygonFault("its vertices have no x, y and z");
+        RefusePolygons("its vertices have no x, y and z");
       }
       this->Positions.insert(this->Positions.end(), position, position + 3);
     }
@@ -191,7 +191,7 @@ private:
     const std::size_t begin = this->Bytes.find_first_not_of(blanks, this->At);
     if (begin == std::string::npos)
     {
-      throw PolygonFault("the file is truncated");
+      RefusePolygons("the file is truncated");
     }
     this->At = std::min(this->Bytes.find_first_of(blanks, begin), this->Bytes.size());
     return this->Bytes.substr(begin, this->At - begin);
@@ -203,7 +203,7 @@ private:
     char bytes[sizeof(T)];
     if (this->Bytes.size() - this->At < sizeof(T))
     {
-      throw PolygonFault("the file is truncated");
+      RefusePolygons("the file is truncated");
     }
     std::copy_n(&this->Bytes[this->At], sizeof(T), bytes);
     this->At += sizeof(T);
@@ -231,7 +231,7 @@ private:
     const auto found = readers.find(type);
     if (found == readers.end())
     {
-      throw PolygonFault("a property has no known type");
+      RefusePolygons("a property has no known type");
     }
     return (this->*found->second)();
   }

@@ -15,7 +15,7 @@ CheckedPolygons ReadPolygonFile(const std::string& name, const std::string& byte
       : extension == ".stl"    ? ReadStl(bytes)
                                : ReadObj(bytes);
   }
-  catch (const PolygonFault& fault)
+  catch (const FileProblem& fault)
   {
     throw FileProblem(FileProblem::Kind::Unusable, DamagedSurface(name, fault.what()));
   }

@@ -19,7 +19,7 @@ CheckedPolygons ReadPolygonFile(const std::string& name, const std::string& byte
 /// What damage of a file of a surface is called.
 std::string DamagedSurface(const std::string& name, const std::string& fault);
 
-// By format; they throw PolygonFault.
+// By format; what they refuse is a part of the message.
 
 CheckedPolygons ReadPly(const std::string& bytes);
 CheckedPolygons ReadObj(const std::string& bytes);

@@ -1,7 +1,9 @@
 #include "Exchange/PolygonFile.h"
 #include "Exchange/TextWords.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -31,7 +33,7 @@ bool IsBinaryStl(const std::string& bytes)
     bytes.size() >= StlHeader + StlTriangle * NumberOfStlTriangles(bytes);
   if (!beginsAsText && !isWhole)
   {
-    throw PolygonFault("it holds fewer triangles than its header says");
+    RefusePolygons("it holds fewer triangles than its header says");
   }
   return !beginsAsText || (isWhole && InSmallLetters(bytes).find("facet") == std::string::npos);
 }
@@ -42,6 +44,10 @@ class StlCorners
 public:
   void Add(const std::array<double, 3>& point)
   {
+    if (std::any_of(point.begin(), point.end(), [](double x) { return std::isnan(x); }))
+    {
+      this->Found.AddPoint(point.data()); // refuses what has no order among places
+    }
     const auto found =
       this->Vertices.emplace(point, static_cast<std::int64_t>(this->Vertices.size()));
     if (found.second)
@@ -60,7 +66,7 @@ public:
   {
     if (this->Corners.size() % 3 != 0)
     {
-      throw PolygonFault("its last triangle is incomplete");
+      RefusePolygons("its last triangle is incomplete");
     }
     for (auto corner = this->Corners.begin(); corner != this->Corners.end(); corner += 3)
     {
@@ -70,7 +76,7 @@ public:
     {
       this->Found.SwapRasLps();
     }
-    return this->Found;
+    return std::move(this->Found);
   }
 
 private:
