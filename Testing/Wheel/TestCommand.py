@@ -433,7 +433,7 @@ sys.exit(main(sys.argv[1:]))
                 both = [run("evaluate", path, self.truth, program=program) for program in (OURS, TOOLKIT)]
                 self.assertEqual(*((process.returncode, process.stdout, process.stderr) for process in both))
                 said[name] = both[0].stdout or both[0].stderr
-                self.assertEqual(both[0].stderr.count("\n"), both[0].returncode)
+                self.assertLessEqual(both[0].stderr.count("\n"), 1)
         for name in ("faces-first.ply", "ras.ply", "more.stl"):
             self.assertEqual(said[name], said["plain.ply"])
         self.assertIn("Dice", said["plain.ply"])
