@@ -96,6 +96,37 @@ class TestSeries(command.CommandTest):
         self.assert_succeeds(process)
         self.assertEqual([line.split()[0] for line in process.stdout.splitlines()[1:]], [FIRST, SECOND])
 
+    def test_a_file_of_several_stacks(self):
+        path = os.path.join(self.inputs, "stacks", "stacks.dcm")
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        dicom.write_stacks(path, [ball(13), ball(11)], (1, 1, 2), FIRST)
+        process = command.run("series", path)
+        self.assert_succeeds(process)
+        self.assertEqual([line.split()[:3] for line in process.stdout.splitlines()[1:]],
+                         [[FIRST + "#1", "CT", "24"], [FIRST + "#2", "CT", "24"]])
+
+        def segment(*options):
+            return command.run("segment", path, *SEED, *options, "-o", self.result("out.ply"))
+
+        surfaces = []
+        for stack in ("#1", "#2"):
+            process = segment("--series", FIRST + stack)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertIn(f"series {FIRST}{stack}:", process.stdout)
+            surfaces.append(self.bytes_of("out.ply"))
+            os.remove(self.result("out.ply"))
+        for surface, prefix in zip(surfaces, "ab"):  # of the same voxels in a folder
+            folder = os.path.join(self.inputs, prefix)
+            os.makedirs(folder, exist_ok=True)
+            for name in filter(lambda name: name[0] == prefix, os.listdir(self.folder)):
+                shutil.copy(os.path.join(self.folder, name), folder)
+            self.assert_succeeds(command.run("segment", folder, *SEED, "-o", self.result("out.ply")))
+            self.assertEqual(surface, self.bytes_of("out.ply"))
+            os.remove(self.result("out.ply"))
+        self.assert_refused(segment(), 1, f"Series {FIRST} holds 2 volumes", FIRST + "#1")
+        self.assert_refused(segment("--series", FIRST + "#3"), 1, f"The file '{path}' holds no series '{FIRST}#3'")
+        self.assert_refused(segment("--series", SECOND), 1, f"holds no series '{SECOND}'", FIRST + "#2")
+
     def test_bits_that_are_not_where_the_header_says(self):
         for name in os.listdir(self.folder):
             path = os.path.join(self.folder, name)

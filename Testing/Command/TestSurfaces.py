@@ -107,10 +107,16 @@ class TestSurfaces(command.CommandTest):
         self.assert_succeeds(command.run("surfaces", self.labels, "-o", self.folder, "-q", "--names", names, "--label", 3,
                                          "--label", 1))
         self.assertEqual(self.files(), ["1-liver.stl", "3-left_kidney.stl", "surfaces.csv"])
-        with open(names, "w", encoding="utf-8") as file:
-            file.write("nothing\n")
-        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--names", names),
-                          "names.csv' names no labels. Give lines such as '5,liver'.")
+        for content, message in ((b"nothing\n", "names.csv' names no labels. Give lines such as '5,liver'."),
+                                 (b"1,liver\n-2,spleen\n", "names.csv', line 2: '-2,spleen' is not a label and its name."),
+                                 (b"1,liver\n1,spleen\n", "line 2: '1,spleen' names label 1, which is 'liver'"),
+                                 ("1,Nebenniere \u00e4".encode("latin-1"), "is not UTF-8 text"), (None, "There is no file")):
+            with self.subTest(message):
+                os.remove(names)
+                if content is not None:
+                    with open(names, "wb") as file:
+                        file.write(content)
+                self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--names", names), message)
 
     def assert_fails(self, process, *words):
         self.assertIn(process.returncode, (1, 2), process.stderr)

@@ -228,6 +228,12 @@ TEST(DicomVolumes, EnhancedFramesByTheirPlaces)
   ExampleFolder with;
   with.Add("e.dcm", ExampleDicom::FileOf(ExampleDicom::Enhanced(options, gap)));
   ExpectRefusal(with.Read(), { "1 slice is missing", "frame 1 of 'e.dcm'", "frame 3 of 'e.dcm'" });
+
+  auto twice = frames;
+  twice[2].Position = twice[0].Position;
+  ExampleFolder same;
+  same.Add("e.dcm", ExampleDicom::FileOf(ExampleDicom::Enhanced(options, twice)));
+  ExpectRefusal(same.Read(), { "at the same place", "Export each volume as a series of its own" });
 }
 
 TEST(DicomVolumes, SeveralVolumesAreChosenByNumber)
@@ -464,6 +470,25 @@ TEST(DicomVolumes, ADamagedFileOfTheSeriesIsAnError)
   ExpectRefusal(folder.Read(), { "a3.dcm", "empty" });
 }
 
+TEST(DicomVolumes, AHalfCopyOfASliceIsLeftOut)
+{
+  ExampleFolder folder;
+  folder.AddSeries("a", 8);
+  const std::string half = folder.Bytes[3].substr(0, folder.Bytes[3].size() - 10);
+  ExampleFolder copied = folder;
+  copied.Add("a3.dcm.part", half);
+  const DicomFolder found = copied.Read();
+  const DicomVolume& volume = ChooseDicomVolume(found, "");
+  EXPECT_EQ(volume.Frames.size(), 8U);
+  ExpectWords(WarningOfLeftOut(found, volume), { "1 file is left out", "the same slice again" });
+  // Of no slice that is there, or of no one in particular.
+  folder.Bytes[3] = half;
+  ExpectRefusal(folder.Read(), { "a3.dcm", "ends within its pixels" });
+  ExampleFolder twice = copied;
+  twice.Add("copy.dcm", twice.Bytes[3]);
+  ExpectRefusal(twice.Read(), { "a3.dcm.part", "ends within its pixels" });
+}
+
 TEST(DicomVolumes, ASliceCutOffAnywhereIsMissed)
 {
   ExampleFolder folder;
@@ -697,6 +722,26 @@ DicomAccess AccessInMemory(const ExampleFolder& folder)
   return access;
 }
 
+/// Reads the voxels of the volume that is meant; why they are refused, or nothing.
+template <typename T>
+std::string WhyVoxelsAreRefused(const ExampleFolder& folder, const DicomAccess& access,
+  std::vector<T>& voxels)
+{
+  const auto goOn = [](double) { return true; };
+  const DicomFolder found = ReadDicomFolder("folder", folder.Names, access, goOn);
+  const DicomVolume& volume = ChooseDicomVolume(found, "");
+  EXPECT_EQ(SizeOf(volume.Type), sizeof(T));
+  try
+  {
+    ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
+  }
+  catch (const FileProblem& problem)
+  {
+    return problem.what();
+  }
+  return {};
+}
+
 TEST(DicomVolumes, DeflatedFilesAreBoundedInMemory)
 {
   // Packed as it is, for the test.
@@ -755,22 +800,12 @@ TEST(DicomVolumes, CompressedPixelsOfMoreBitsThanTheFileSays)
   int value = 4095;
   access.Decode = [&value](const std::string&)
   { return ExampleDicom::Shorts(std::vector<int>(12, value)); };
-  const auto goOn = [](double) { return true; };
-  const DicomFolder found = ReadDicomFolder("folder", folder.Names, access, goOn);
-  const DicomVolume& volume = ChooseDicomVolume(found, "");
   std::vector<std::uint16_t> voxels(24);
-  ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
+  EXPECT_EQ(WhyVoxelsAreRefused(folder, access, voxels), "");
   EXPECT_EQ(voxels, std::vector<std::uint16_t>(24, 4095));
   value = 5000;
-  try
-  {
-    ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
-    ADD_FAILURE() << "read as " << voxels.front();
-  }
-  catch (const FileProblem& problem)
-  {
-    ExpectWords(problem.what(), { "'a0'", "12 of its BitsStored", "Export" });
-  }
+  ExpectWords(WhyVoxelsAreRefused(folder, access, voxels),
+    { "'a0'", "12 of its BitsStored", "Export" });
 }
 
 TEST(DicomVolumes, PixelsThatAreNotWhereHighBitSays)
@@ -789,21 +824,8 @@ TEST(DicomVolumes, PixelsThatAreNotWhereHighBitSays)
       options.Pixels = ExampleDicom::Shorts(std::vector<int>(12, factor * (100 + slice)));
       folder.Add("a" + std::to_string(slice), ExampleDicom::FileOf(ExampleDicom::Slice(options)));
     }
-    const DicomAccess access = AccessInMemory(folder);
-    const auto goOn = [](double) { return true; };
-    const DicomFolder found = ReadDicomFolder("folder", folder.Names, access, goOn);
-    const DicomVolume& volume = ChooseDicomVolume(found, "");
-    ASSERT_EQ(volume.Type, VoxelType::Int16);
     std::vector<std::int16_t> voxels(24);
-    std::string refusal;
-    try
-    {
-      ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
-    }
-    catch (const FileProblem& problem)
-    {
-      refusal = problem.what();
-    }
+    const std::string refusal = WhyVoxelsAreRefused(folder, AccessInMemory(folder), voxels);
     if (factor > 1)
     {
       EXPECT_EQ(refusal, "");

@@ -207,6 +207,8 @@ TEST(NrrdHeader, WhereVoxelsAre)
   { return ReadNrrd(NrrdFile("spacings: 1 1 1\n" + fields)).Storage; };
   EXPECT_EQ(storage("data file: a b.raw").Files.front(), "a b.raw");
   EXPECT_EQ(storage("data file: s%02d.raw 1 3 1").Files[2], "s03.raw");
+  EXPECT_EQ(storage("data file: s%02d.raw 6 1 -2").Files,
+    (std::vector<std::string>{ "s06.raw", "s04.raw", "s02.raw" }));
   EXPECT_TRUE(storage("byte skip: -1").IsAtEnd);
   EXPECT_EQ(storage("line skip: 2\nbyte skip: 7").Skipped, 7);
   EXPECT_EQ(storage("line skip: 2\nbyte skip: 7").Lines, 2);

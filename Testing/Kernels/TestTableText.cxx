@@ -73,6 +73,7 @@ TEST(TableText, SeparatorsThatProgramsWrite)
   }
   EXPECT_EQ(ReadTableText("a.csv", "1,5;2,5\n").Separator, ';'); // decimal commas
   EXPECT_EQ(ReadTableText("a.csv", "a,b;\n").Separator, ',');
+  EXPECT_EQ(CellsIn("sep=;\ra;b\rc;d\r"), (Cells{ { "a", "b" }, { "c", "d" } }));
   EXPECT_TRUE(CellsIn("").empty());
   EXPECT_TRUE(CellsIn("sep=;").empty());
 }

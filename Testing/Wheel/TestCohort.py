@@ -441,6 +441,14 @@ class WrongInput(CohortTest):
             flipfree.cohort(table, output or self.out, **options)
         self.assertFalse(self.out.exists() and any(self.out.glob("*.*")))
 
+    def test_workers_and_threads_are_checked_first(self):
+        """Before the table is read, and each by its own name."""
+        for name, number, least in (("workers", -1, 0), ("threads", 0, 1), ("threads", -3, 1)):
+            with self.subTest(name, number=number):
+                with self.assertRaisesRegex(ValueError, f"^{name}: {number} is out of range; the least value is {least}$"):
+                    flipfree.cohort("nowhere.csv", self.out, **{name: number})
+                self.assertFalse(self.out.exists())
+
     def test_tables(self):
         for message, table in (
                 ("'table' lacks the columns volume, seed_x.* Vessels have points in their place", [{"radius": 3}]),
@@ -464,10 +472,10 @@ class WrongInput(CohortTest):
 
     def test_files(self):
         path = self.folder / "table.csv"
-        self.refuses("cannot be read.*Check its name", path)
+        self.refuses("There is no file '.*table.csv'. Check the name", path)
         head = ",".join(self.ROW)
         for message, data in (
-                ("is not a CSV file in UTF-8", b"\xff\xfe\x00v"),
+                ("is not UTF-8 text", b"\xff\xfe\x00v"),
                 ("'.*' lacks the columns", b""),
                 ("has no rows", head.encode()),
                 ("row 2 has more cells", f"{head}\na,1,2,3,4\n\na,1,2,3,4,5\n".encode()),

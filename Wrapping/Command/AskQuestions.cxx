@@ -4,10 +4,11 @@
 #include "Messages.h"
 #include "Run.h"
 
+#include "Exchange/TextWords.h"
+
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -47,10 +48,7 @@ std::optional<std::string> AnswerTo(const std::string& question)
       WriteToUser("\n");
       return std::nullopt;
     }
-    for (char& letter : answer)
-    {
-      letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
+    answer = FlipFree::InSmallLetters(answer);
   } while (!answer.empty() && answer != "y" && answer != "yes" && answer != "n" && answer != "no");
   return answer;
 }

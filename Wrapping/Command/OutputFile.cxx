@@ -4,8 +4,9 @@
 #include "Interrupt.h"
 #include "Run.h"
 
+#include "Exchange/TextWords.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -63,9 +64,7 @@ std::unique_ptr<FlipFree::AtomicFile> MakeFile(const std::string& name)
 
 bool HasEnding(const std::string& name, const std::vector<std::string>& endings)
 {
-  std::string small = name;
-  std::transform(small.begin(), small.end(), small.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string small = FlipFree::InSmallLetters(name);
   return std::any_of(endings.begin(), endings.end(),
     [&small](const std::string& ending)
     {

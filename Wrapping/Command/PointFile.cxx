@@ -6,6 +6,7 @@
 #include "PointText.h"
 
 #include "Exchange/PointTable.h"
+#include "Exchange/TextWords.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -45,7 +46,7 @@ CorrectionPoint PointOfControl(const std::string& words, const std::array<double
   try
   {
     // 3D Slicer numbers its points: inside-1.
-    point.Kind = KindOf(Lower(kind.substr(0, kind.find_first_of("-_"))));
+    point.Kind = KindOf(FlipFree::InSmallLetters(kind.substr(0, kind.find_first_of("-_"))));
     if (point.Kind == ConstraintKind::Seed && !radius.empty())
     {
       point.Radius = PointNumberOf(radius);

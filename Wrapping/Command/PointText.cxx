@@ -3,19 +3,15 @@
 #include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
-#include "UnreadableFile.h"
+#include "TextFile.h"
 
 #include "Exchange/FileProblem.h"
-#include "Exchange/HeaderField.h"
 #include "Exchange/TableText.h"
+#include "Exchange/TextWords.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace Command
@@ -120,42 +116,6 @@ void ReadMarkups(const std::string& text, const PointReader& reader)
   }
 }
 
-bool IsText(const std::string& text)
-{
-  try
-  {
-    Json(text).dump(); // which takes no other bytes than UTF-8
-  }
-  catch (const Json::exception&)
-  {
-    return false;
-  }
-  return text.find('\0') == std::string::npos;
-}
-
-/// Without the mark that some programs put in front of UTF-8.
-std::string TextOf(const std::string& name)
-{
-  const std::ifstream file(name, std::ios::binary);
-  std::ostringstream content;
-  std::error_code ignored;
-  const bool isFile = file && !std::filesystem::is_directory(name, ignored);
-  if (isFile)
-  {
-    content << file.rdbuf();
-  }
-  if (!isFile || content.bad())
-  {
-    throw UnreadableFile(name);
-  }
-  const std::string text = content.str();
-  if (!IsText(text))
-  {
-    throw Failure("'" + name + "' is not UTF-8 text. Save it as UTF-8.");
-  }
-  return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
-}
-
 } // namespace
 
 const std::vector<std::string>& PointEndings()
@@ -166,7 +126,7 @@ const std::vector<std::string>& PointEndings()
 
 void ReadPointText(const std::string& name, const PointReader& reader)
 {
-  const std::string text = TextOf(name);
+  const std::string text = ReadText(name);
   try
   {
     HasEnding(name, { ".csv" }) ? reader.TakeTable(text) : ReadMarkups(text, reader);
@@ -196,13 +156,6 @@ double PointNumberOf(const std::string& text)
     throw Failure("'" + text + "' is not a number");
   }
   return number;
-}
-
-std::string Lower(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return word;
 }
 
 } // namespace Command

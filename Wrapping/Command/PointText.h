@@ -36,9 +36,6 @@ void ReadPointText(const std::string& name, const PointReader& reader);
 /// Throws Failure unless the text is a decimal number.
 double PointNumberOf(const std::string& text);
 
-/// With letters from A to Z made small.
-std::string Lower(std::string word);
-
 } // namespace Command
 
 #endif

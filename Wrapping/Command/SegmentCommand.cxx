@@ -422,7 +422,8 @@ const char* const SegmentFooter =
 void AddFiles(CLI::App* command, SegmentRequest& request)
 {
   command->add_option("INPUT", request.Input,
-    "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series; with --session, by "
+    "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), folder of a DICOM series, or DICOM file of "
+    "several frames; with --session, by "
     "default, the session's image beside it");
   command
     ->add_option("--session", request.Session,

@@ -5,10 +5,13 @@
 #include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
 #include "OutputFile.h"
-#include "PolygonFile.h"
+#include "Polygons.h"
 #include "Run.h"
 #include "UnreadableFile.h"
 #include "VtpHeader.h"
+
+#include "Exchange/FileProblem.h"
+#include "Exchange/PolygonFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -43,7 +46,14 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(name.c_str());
   Run(reader, "reading");
-  return JudgedPolygons(reader->GetOutput());
+  try
+  {
+    return JudgedPolygons(reader->GetOutput());
+  }
+  catch (const FlipFree::FileProblem& fault)
+  {
+    throw Failure(fault.what());
+  }
 }
 
 template <typename Writer>
@@ -106,9 +116,9 @@ const Format& FormatOf(const std::string& name)
 {
   static const std::vector<Format> formats{
     { ".vtp", ReadVtp, WriteBy<vtkXMLPolyDataWriter> },
-    { ".stl", ReadStl, WriteBy<vtkSTLWriter> },
-    { ".ply", ReadPly, WriteBy<vtkPLYWriter> },
-    { ".obj", ReadObj, WriteObj },
+    { ".stl", ReadPolygons, WriteBy<vtkSTLWriter> },
+    { ".ply", ReadPolygons, WriteBy<vtkPLYWriter> },
+    { ".obj", ReadPolygons, WriteObj },
   };
   for (const Format& format : formats)
   {
@@ -235,11 +245,13 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
       "' cannot be read: it asks for more memory than is available. It is damaged; "
       "create it again.");
   }
+  catch (const FlipFree::FileProblem& problem)
+  {
+    throw Failure(problem.what());
+  }
   catch (const Failure& failure)
   {
-    throw Failure("'" + name +
-      "' cannot be read: it is damaged or its format does not match its extension (" +
-      failure.what() + "). Check its extension, or create it again.");
+    throw Failure(FlipFree::DamagedSurface(name, failure.what()));
   }
   if (surface->GetNumberOfPolys() == 0)
   {
@@ -272,7 +284,7 @@ void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNam
       isStl ? found->GetNumberOfPolys() == written->GetNumberOfPolys() : SameFaces(found, written);
     whole = whole && EndsWhole(name);
   }
-  catch (const Failure&)
+  catch (const std::runtime_error&) // of a command, of a file, of polygons
   {
     whole = false;
   }

@@ -10,6 +10,8 @@
 #include "TableFile.h"
 #include "VolumeFile.h"
 
+#include "Exchange/FileNames.h"
+
 #include "vtkFlipFreeLabelSurfaces.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -22,6 +24,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -50,7 +53,7 @@ struct SurfacesRequest
 std::string FileOf(vtkTable* table, vtkIdType row, const std::string& format)
 {
   const std::string label = table->GetValueByName(row, "Label").ToString();
-  const std::string name = FileNamePart(table->GetValueByName(row, "Name").ToString());
+  const std::string name = FlipFree::FileNamePart(table->GetValueByName(row, "Name").ToString());
   return label + (name.empty() ? "" : "-" + name) + "." + format;
 }
 
@@ -61,9 +64,13 @@ void Print(vtkTable* table)
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const auto at = [&](const char* column) { return table->GetValueByName(row, column); };
-    std::printf("%10d  %-24s  %11.3f  %6d  %9d  %12lld\n", at("Label").ToInt(),
-      at("Name").ToString().c_str(), at("Milliliters").ToDouble(), at("EulerNumber").ToInt(),
-      at("Triangles").ToInt(), at("WrongVoxels").ToLongLong());
+    const std::string name = at("Name").ToString();
+    // printf() counts bytes, of which letters beyond ASCII have several.
+    const auto more =
+      std::count_if(name.begin(), name.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
+    std::printf("%10d  %-*s  %11.3f  %6d  %9d  %12lld\n", at("Label").ToInt(),
+      24 + static_cast<int>(more), name.c_str(), at("Milliliters").ToDouble(),
+      at("EulerNumber").ToInt(), at("Triangles").ToInt(), at("WrongVoxels").ToLongLong());
   }
 }
 
@@ -134,7 +141,8 @@ const char* const SurfacesFooter =
   "both have the same triangles there. Names are those of the label map (a segmentation of 3D\n"
   "Slicer, .seg.nrrd, or a NIfTI file with a label table, as TotalSegmentator writes it), or "
   "those\n"
-  "of a table, with lines such as '5,liver'.\n"
+  "of a table: lines such as '5,liver', columns that its first line calls label and name, or\n"
+  "the tables of colors of 3D Slicer, FreeSurfer and ITK-SNAP.\n"
   "\n"
   "Examples:\n"
   "  flipfree surfaces labels.nii.gz -o surfaces\n"

@@ -259,7 +259,8 @@ void AddFiles(CLI::App* command, Trace& trace)
 {
   command
     ->add_option("INPUT", trace.Input,
-      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series")
+      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), folder of a DICOM series, or DICOM file of "
+      "several frames")
     ->required();
   command
     ->add_option("--series", trace.SeriesUID,

@@ -12,10 +12,9 @@ namespace
 
 std::string EntryOf(const PointConstraint& constraint)
 {
-  const char* const kinds[] = { "outside", "inside", "boundary", "seed" };
   const bool isSeed = constraint.Kind == ConstraintKind::Seed;
-  return std::string(R"({"kind":")") + kinds[static_cast<int>(constraint.Kind)] +
-    R"(","position":)" + FlipFree::JsonOf(constraint.Point.data(), 3) +
+  return std::string(R"({"kind":")") + NameOf(constraint.Kind) + R"(","position":)" +
+    FlipFree::JsonOf(constraint.Point.data(), 3) +
     (isSeed ? ",\"radius\":" + FlipFree::JsonOf(constraint.Radius) : "") + "}";
 }
 

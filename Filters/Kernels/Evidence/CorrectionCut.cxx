@@ -66,11 +66,10 @@ public:
     , Worth(Fill.size(), Stays)
     , IsCertain(Fill.size(), false)
   {
-    const std::size_t half = (this->Grid.VoxelsPerBlock() + 1) / 2;
     this->IsIn.reserve(this->Fill.size());
     for (const std::size_t count : this->Fill)
     {
-      this->IsIn.push_back(count >= half ? 1 : 0);
+      this->IsIn.push_back(this->Grid.AreHalf(count) ? 1 : 0);
     }
   }
 
@@ -374,7 +373,7 @@ private:
     std::vector<std::size_t> part;
     for (std::size_t block = 0; block < counts.size(); ++block)
     {
-      if ((block == place || 2 * counts[block] >= this->Grid.VoxelsPerBlock()) &&
+      if ((block == place || this->Grid.AreHalf(counts[block])) &&
         !this->IsRight(block, correction))
       {
         part.push_back(block);

@@ -101,10 +101,10 @@ private:
     this->Inside.assign(count, 0);
     this->IsTouched.assign(count, false);
     this->Sums = SumInBlocks(this->Image, this->Mask, this->Grid, this->Parallel);
-    const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
     for (std::size_t block = 0; block < count; ++block)
     {
-      this->Inside[block] = this->Sums.Weights[block] >= half ? 1 : 0;
+      const auto voxels = static_cast<std::size_t>(this->Sums.Weights[block]);
+      this->Inside[block] = this->Grid.AreHalf(voxels) ? 1 : 0;
       this->IsTouched[block] = this->Sums.Weights[block] > 0;
     }
   }

@@ -144,7 +144,7 @@ private:
     BitMask blocks(this->Grid.Blocks);
     for (std::size_t block = 0; block < counts.size(); ++block)
     {
-      if (2 * counts[block] >= this->Grid.VoxelsPerBlock())
+      if (this->Grid.AreHalf(counts[block]))
       {
         const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
         blocks.Insert(index[0], index[1], index[2]);

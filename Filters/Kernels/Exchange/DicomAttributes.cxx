@@ -1,6 +1,6 @@
 #include "Exchange/DicomAttributes.h"
 
-#include "Exchange/HeaderField.h"
+#include "Exchange/TextWords.h"
 
 #include <cmath>
 #include <locale>

@@ -33,7 +33,7 @@ std::string VolumesText(const std::vector<const DicomVolume*>& volumes)
   {
     const DicomVolume& volume = *volumes[index];
     text += (index ? ", " : "") + volume.Identifier() + " (" +
-      std::to_string(volume.Frames.size()) + " slices" +
+      std::to_string(volume.Frames.size()) + (volume.Frames.size() == 1 ? " slice" : " slices") +
       (volume.Description.empty() ? "" : ", " + InQuotes(volume.Description)) + ")";
   }
   return text + (volumes.size() > enough ? ", ..." : "");

@@ -168,9 +168,11 @@ DicomStack StackOf(const std::vector<DicomFrame>& frames, const DicomFrameName& 
   {
     if (AreAtOnePlace(frames[index - 1], frames[index]))
     {
+      const bool areOfOneFile = frames[index - 1].File == frames[index].File;
       stack.Problem = nameOf(frames[index - 1]) + " and " + nameOf(frames[index]) +
-        " lie at the same place, and nothing that is known tells which volume they belong to. Move "
-        "the files of one volume into a folder of their own.";
+        " lie at the same place, and nothing that is known tells which volume they belong to. " +
+        (areOfOneFile ? "Export each volume as a series of its own."
+                      : "Move the files of one volume into a folder of their own.");
       return stack;
     }
   }

@@ -90,8 +90,9 @@ public:
     {
       this->Sort(file);
     }
-    for (const auto& series : this->Series)
+    for (auto& series : this->Series)
     {
+      this->LeaveOutHalfCopies(series.second);
       this->AddVolumes(series.first, series.second);
     }
     this->Order();
@@ -175,6 +176,33 @@ private:
                ? "frame " + std::to_string(frame.Number + 1) + " of "
                : "") +
       InQuotes(FileNameOf(file.Name));
+  }
+
+  /// What broken downloads leave of slices that are there as a whole. An instance that several
+  /// whole files claim tells nothing.
+  void LeaveOutHalfCopies(SeriesFiles& files)
+  {
+    const auto instanceOf = [this](std::size_t file)
+    { return this->AttributesOf(file).Text(DicomTag::SOPInstanceUID); };
+    std::map<std::string, int> whole;
+    for (const std::size_t file : files.Gray)
+    {
+      ++whole[instanceOf(file)];
+    }
+    const auto isCopy = [&](std::size_t file)
+    {
+      const auto found = whole.find(instanceOf(file));
+      return found != whole.end() && !found->first.empty() && found->second == 1;
+    };
+    for (DicomLeftOut& left : this->Folder.LeftOut)
+    {
+      const auto at = std::find(files.Damaged.begin(), files.Damaged.end(), left.File);
+      if (at != files.Damaged.end() && isCopy(left.File))
+      {
+        left.Why = Reason::TheSame;
+        files.Damaged.erase(at);
+      }
+    }
   }
 
   /// An empty volume with the names of its series.

@@ -4,6 +4,8 @@
 #ifndef FlipFreeFileNames_h
 #define FlipFreeFileNames_h
 
+#include "Exchange/TextWords.h"
+
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -26,10 +28,7 @@ inline std::string FileNameOf(const std::string& path)
 /// Whether a file has the name of those that list the other files of a medium (DICOM PS3.10).
 inline bool IsDicomDirectory(const std::string& path)
 {
-  const std::string wanted = "dicomdir";
-  const std::string name = FileNameOf(path);
-  return std::equal(name.begin(), name.end(), wanted.begin(), wanted.end(),
-    [](unsigned char letter, unsigned char small) { return std::tolower(letter) == small; });
+  return InSmallLetters(FileNameOf(path)) == "dicomdir";
 }
 
 /// In small letters, with its period.
@@ -37,10 +36,19 @@ inline std::string ExtensionOf(const std::string& path)
 {
   const std::string name = FileNameOf(path);
   const std::size_t period = name.find_last_of('.');
-  std::string extension = period == std::string::npos ? "" : name.substr(period);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
+  return period == std::string::npos ? "" : InSmallLetters(name.substr(period));
+}
+
+/// A part of a name: what is no letter, digit, dot or hyphen becomes an underscore. Letters beyond
+/// ASCII stay.
+inline std::string FileNamePart(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(),
+    [](unsigned char code)
+    { return code < 0x80 && !std::isalnum(code) && code != '.' && code != '-'; },
+    '_');
+  return text;
 }
 
 } // namespace FlipFree

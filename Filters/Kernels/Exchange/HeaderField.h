@@ -123,24 +123,6 @@ private:
   std::size_t Begin = 0;
 };
 
-/// Whether it has no characters of control but tabs.
-bool IsPrintable(const std::string& line);
-
-std::string InSmallLetters(std::string text);
-
-/// In UTF-8, without characters of control. What is not UTF-8 is read as Latin-1, or shown as `?`.
-std::string TextForPeople(const std::string& original, bool isUtf8, bool isLatin1);
-
-/// Without white space at both ends.
-std::string Trimmed(const std::string& text);
-
-/// The words of a text, between white space.
-std::vector<std::string> Words(const std::string& text);
-
-/// A number that takes up the whole text, whatever the locale; NaN and infinity are numbers. False
-/// if it is not one.
-bool ToNumber(const std::string& text, double& number);
-
 /// The files that a header names: one, a list of `lines`, or a pattern such as `slice%03d.raw 1 9
 /// 1` with a first and a last number and a step, which may be left out where `needsStep` is not
 /// set.

@@ -1,6 +1,7 @@
 #include "Exchange/MetaImageHeader.h"
 
 #include "Exchange/HeaderField.h"
+#include "Exchange/TextWords.h"
 #include "MessageText.h"
 
 #include <climits>

@@ -1,4 +1,5 @@
 #include "Exchange/NrrdGeometry.h"
+#include "Exchange/TextWords.h"
 
 #include "MessageText.h"
 

@@ -2,8 +2,8 @@
 
 #include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
-#include "Exchange/HeaderField.h"
 #include "Exchange/TableText.h"
+#include "Exchange/TextWords.h"
 
 #include <algorithm>
 #include <optional>

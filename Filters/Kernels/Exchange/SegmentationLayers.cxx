@@ -1,7 +1,7 @@
 #include "Exchange/SegmentationLayers.h"
 
 #include "Exchange/FileProblem.h"
-#include "Exchange/HeaderField.h"
+#include "Exchange/TextWords.h"
 #include "Suggestion.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
-#include "Exchange/HeaderField.h"
+#include "Exchange/TextWords.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,12 +13,14 @@ namespace FlipFree
 namespace
 {
 
-std::string WithoutBlanks(const std::string& text)
+/// Spreadsheet programs have a Macintosh form, in which carriage returns alone end lines.
+std::string WithLineFeeds(std::string text)
 {
-  const char* const blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+  if (text.find('\n') == std::string::npos)
+  {
+    std::replace(text.begin(), text.end(), '\r', '\n');
+  }
+  return text;
 }
 
 /// Splits text, cell by cell.
@@ -66,7 +68,7 @@ private:
     const std::size_t end = std::min(this->Text.find_first_of(ends, this->At), this->Text.size());
     cell += this->Text.substr(this->At, end - this->At);
     this->At = end;
-    return WithoutBlanks(cell);
+    return Trimmed(cell);
   }
 
   void SkipBlanks()
@@ -135,9 +137,8 @@ char SaidSeparator(std::string line)
 {
   line.erase(std::remove(line.begin(), line.end(), '"'), line.end());
   const std::string start = "sep=";
-  const bool says = line.size() > start.size() &&
-    std::equal(start.begin(), start.end(), line.begin(),
-      [](unsigned char small, unsigned char letter) { return std::tolower(letter) == small; });
+  const bool says =
+    line.size() > start.size() && InSmallLetters(line.substr(0, start.size())) == start;
   const char separator = says ? line[start.size()] : '\0';
   const bool isSeparator = separator == '\t' || std::ispunct(static_cast<unsigned char>(separator));
   return says && isSeparator &&
@@ -190,10 +191,11 @@ bool HasMark(char mark, const std::string& cell)
 
 TableText ReadTableText(const std::string& name, const std::string& text)
 {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const char said = SaidSeparator(text.substr(0, end));
-  return said ? SplitBy(said, name, text, std::min(end + 1, text.size()), 2)
-              : SplitBy(FoundSeparator(name, text), name, text, 0, 1);
+  const std::string lines = WithLineFeeds(text);
+  const std::size_t end = std::min(lines.find('\n'), lines.size());
+  const char said = SaidSeparator(lines.substr(0, end));
+  return said ? SplitBy(said, name, lines, std::min(end + 1, lines.size()), 2)
+              : SplitBy(FoundSeparator(name, lines), name, lines, 0, 1);
 }
 
 bool AreDecimals(const std::string& cell)

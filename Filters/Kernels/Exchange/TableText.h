@@ -1,7 +1,7 @@
 /**
  * Tables as spreadsheet programs write them: cells are separated by commas, semicolons or tabs, or
  * by what a line `sep=;` before the table says. Cells may be in quotes. With another separator than
- * the comma, numbers may have decimal commas.
+ * the comma, numbers may have decimal commas. Lines end as in any system.
  */
 #ifndef FlipFreeTableText_h
 #define FlipFreeTableText_h

@@ -1,9 +1,9 @@
 #include "Exchange/VolumeFileHeader.h"
 
-#include "Exchange/HeaderField.h"
 #include "Exchange/MetaImageHeader.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/NrrdHeader.h"
+#include "Exchange/TextWords.h"
 
 #include <algorithm>
 #include <cctype>
@@ -81,8 +81,7 @@ VoxelType VolumeFileHeader::ValueType() const
 bool HasEnding(const std::string& name, const std::string& ending)
 {
   return name.size() >= ending.size() &&
-    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
-      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+    InSmallLetters(name.substr(name.size() - ending.size())) == ending;
 }
 
 std::vector<std::string> HeaderFilesOf(const std::string& name)

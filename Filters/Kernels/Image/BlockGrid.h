@@ -107,6 +107,9 @@ struct BlockGrid
   {
     return static_cast<std::size_t>(this->Factor[0]) * this->Factor[1] * this->Factor[2];
   }
+
+  /// Whether so many voxels are half of a block.
+  bool AreHalf(std::size_t voxels) const { return 2 * voxels >= this->VoxelsPerBlock(); }
 };
 
 /// Values on the blocks, interpolated along one row of voxels.

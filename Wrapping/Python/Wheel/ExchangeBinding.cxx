@@ -2,8 +2,11 @@
 #include "Bindings.h"
 #include "Numpy.h"
 
+#include "Exchange/FileNames.h"
+#include "Exchange/LabelNameTable.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/PointTable.h"
+#include "Exchange/PolygonFile.h"
 #include "Exchange/TableText.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
@@ -101,6 +104,20 @@ nb::tuple TableOf(const std::string& name, const std::string& text)
   return nb::make_tuple(lines, std::string(1, table.Separator));
 }
 
+// Points, corners and offsets of faces.
+nb::tuple PolygonsIn(const std::string& name, const nb::bytes& bytes)
+{
+  const CheckedPolygons polygons = ReadPolygonFile(name, TextOf(bytes));
+  const std::size_t points = polygons.GetPoints().size() / 3;
+  std::vector<int> corners = polygons.GetCorners();
+  std::vector<int> offsets = polygons.GetOffsets();
+  const std::size_t cornerCount = corners.size();
+  const std::size_t offsetCount = offsets.size();
+  return nb::make_tuple(ArrayOf<double>(std::vector<double>(polygons.GetPoints()), { points, 3 }),
+    ArrayOf<int>(std::move(corners), { cornerCount }),
+    ArrayOf<int>(std::move(offsets), { offsetCount }));
+}
+
 std::array<double, 3> TripleOf(const Eigen::Vector3d& place)
 {
   return { { place[0], place[1], place[2] } };
@@ -136,6 +153,9 @@ void BindExchange(nb::module_& module)
   module.def("with_decimal_points", &WithDecimalPoints);
   module.def("read_constraint_table", &ConstraintsIn);
   module.def("read_place_table", &PlacesIn);
+  module.def("read_polygons", &PolygonsIn);
+  module.def("read_label_names", &ReadLabelNameTable);
+  module.def("file_name_part", &FileNamePart);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")
     .def("__init__",
       [](VolumeFileHeader* header, const std::string& name, const nb::bytes& start)

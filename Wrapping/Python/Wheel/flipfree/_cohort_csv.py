@@ -7,6 +7,7 @@ from collections.abc import Collection
 
 from . import _kernels
 from ._errors import FileError, FlipFreeError
+from ._text_files import read_text
 
 # What spreadsheets and pandas call a column without a name.
 NAMELESS = re.compile(r"(Unnamed: \d+)?")
@@ -17,15 +18,7 @@ Rows = list[dict[str, str]]
 def read_csv(name: str) -> tuple[list[str], Rows, bool]:
     """The columns and rows of a file, and whether its numbers may have decimal commas."""
     try:
-        with open(name, encoding="utf-8-sig", newline="") as file:
-            text = file.read()
-        lines, separator = _kernels.read_table(name, text)
-    except OSError as error:
-        raise FileError(
-            f"'{name}' cannot be read ({error.strerror}). Check its name and permissions."
-        ) from error
-    except UnicodeDecodeError as error:
-        raise FileError(f"'{name}' is not a CSV file in UTF-8 ({error}). Save the table as CSV in UTF-8.") from error
+        lines, separator = _kernels.read_table(name, read_text(name))
     except _kernels.FileProblem as problem:
         raise FileError(str(problem)) from None
     columns = lines[0] if lines else []

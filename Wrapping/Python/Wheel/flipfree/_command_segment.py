@@ -32,7 +32,7 @@ from ._command_outputs import (
 from ._command_seed import seeds_in
 from ._corrections import Constraint, answers_of
 from ._dicom import may_hold_series
-from ._errors import FlipFreeError
+from ._errors import FileError, FlipFreeError
 from ._files import read_image, write_image
 from ._image import Image
 from ._messages import confidence_text, warn
@@ -159,6 +159,8 @@ def _segment_one(
         values = {**values, "centers": seeds_in(image, values)}
     try:
         organ = _found(values, image, points, progress)
+    except FileError:
+        raise  # it names its own file
     except FlipFreeError as error:
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start

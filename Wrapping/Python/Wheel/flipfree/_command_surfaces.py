@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import csv
-import io
 import os
-import re
 from dataclasses import replace
 from typing import Any
 
+from . import _kernels
 from ._atomic import output_folder, write_table
 from ._backend import set_threads
 from ._command_inputs import wants_bar
@@ -21,7 +19,7 @@ from ._segmentation import Surface
 from ._surface_files import write_surface
 from ._surfaces import LabelSurfaces
 from ._surfaces import surfaces as make_surfaces
-from ._unreadable import unreadable
+from ._text_files import read_text
 
 # The columns of the table, and the fields of LabelMeasures in them.
 COLUMNS = {
@@ -88,25 +86,15 @@ def _surface_of(found: LabelSurfaces, label: int) -> Surface:
 
 
 def _file_of(found: LabelSurfaces, label: int, ending: str) -> str:
-    name = re.sub(r"[^\w.-]", "_", found.labels[label].name)
+    name = _kernels.file_name_part(found.labels[label].name)
     return f"{label}-{name}.{ending}" if name else f"{label}.{ending}"
 
 
 def _names_in(path: str) -> dict[int, str]:
-    """Of a table: lines such as '5,liver'; others do not count."""
-    names: dict[int, str] = {}
     try:
-        with open(path, encoding="utf-8") as file:
-            lines = file.read().splitlines()
-    except OSError as error:
-        raise unreadable(path) from error
-    for line in lines:
-        found = re.fullmatch(r'\s*"?(\d+)\s*[,;\s]\s*(.*?)\s*', line)
-        name = next(csv.reader(io.StringIO(found[2])), [""])[0] if found else ""
-        if found and name:
-            names[int(found[1])] = name
-    if not names:
-        raise FileError(f"'{path}' names no labels. Give lines such as '5,liver'.")
+        names: dict[int, str] = _kernels.read_label_names(path, read_text(path))
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
     return names
 
 

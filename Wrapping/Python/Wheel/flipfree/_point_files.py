@@ -18,7 +18,7 @@ from ._coordinates import swap_lps_ras
 from ._corrections import SEED, Constraint
 from ._errors import FileError
 from ._messages import listed, warn
-from ._unreadable import unreadable
+from ._text_files import read_text
 
 ENDINGS = (".csv", ".mrk.json")
 KINDS = ("outside", "inside", "boundary", "seed")
@@ -87,7 +87,7 @@ def _read(
     of_control: Callable[[str, list[float]], Any],
     columns: str,
 ) -> list[Any]:
-    text = _text_of(path)
+    text = read_text(path)
     try:
         if path.lower().endswith(".csv"):
             return of_table(path, text)
@@ -101,20 +101,6 @@ def _read(
             f"'{path}' does not hold markups of 3D Slicer. Give a file of control points that it has "
             f"saved, or a table (.csv) with the columns {columns}."
         ) from error
-
-
-def _text_of(path: str) -> str:
-    """Without the mark that some programs put in front of UTF-8."""
-    try:
-        with open(path, encoding="utf-8-sig", newline="") as file:
-            text = file.read()
-    except OSError as error:
-        raise unreadable(path) from error
-    except UnicodeDecodeError:
-        text = "\0"
-    if "\0" in text:
-        raise FileError(f"'{path}' is not UTF-8 text. Save it as UTF-8.")
-    return text
 
 
 def _constraints_of_table(path: str, text: str) -> list[Constraint]:

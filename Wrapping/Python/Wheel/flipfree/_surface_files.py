@@ -12,7 +12,6 @@ from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
 from ._messages import listed
-from ._point_files import finite
 from ._segmentation import Segmentation, Surface, Vessel
 from ._types import PathName
 
@@ -59,70 +58,47 @@ def write_centerline(vessel: Vessel, path: PathName) -> None:
 
 
 def read_surface(path: PathName) -> Surface:
-    """Reads a surface from a .vtp, .stl, .ply or .obj file; all but .obj by VTK (`pip install vtk`)."""
+    """Reads a surface from a .vtp, .stl, .ply or .obj file; .vtp by VTK (`pip install vtk`)."""
     name = os.fspath(path)
     ending = ending_of(name)
     if not os.path.isfile(name) or not os.access(name, os.R_OK):
         raise FileError(f"'{name}' does not exist or cannot be read. Check its name and permissions.")
-    surface = _read_obj(name) if ending == ".obj" else _read_by_vtk(name, ending)
-    if surface is None or len(surface.offsets) < 2:
-        raise FileError(f"'{name}' cannot be read: it is damaged, or has no faces. Create it again.")
+    surface = _read_vtp(name) if ending == ".vtp" else _read_polygons(name)
+    if len(surface.offsets) < 2:
+        raise FileError(f"'{name}' has no faces. Check its extension, or create it again.")
     return surface
 
 
-def _read_by_vtk(name: str, ending: str) -> Surface | None:
-    """None where VTK reports an error."""
-    module, kind = {
-        ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
-        ".stl": ("vtkIOGeometry", "vtkSTLReader"),
-        ".ply": ("vtkIOPLY", "vtkPLYReader"),
-    }[ending]
-    reader: Any = getattr(needed(f"vtkmodules.{module}", "to read surface files", "pyvista"), kind)()
+def _read_vtp(name: str) -> Surface:
+    reader: Any = needed("vtkmodules.vtkIOXML", "to read .vtp files", "pyvista").vtkXMLPolyDataReader()
     from ._vtk_objects import surface_of_vtk
 
     errors: list[str] = []
-    reader.AddObserver("ErrorEvent", lambda *_: errors.append(name))
+    for algorithm in (reader, reader.GetExecutive()):  # which would write to standard error
+        algorithm.AddObserver("ErrorEvent", lambda *_: errors.append(name))
     reader.SetFileName(name)
     reader.Update()
-    return None if errors or reader.GetErrorCode() else surface_of_vtk(reader.GetOutput())
+    if errors or reader.GetErrorCode():
+        raise FileError(f"'{name}' cannot be read: it is damaged. Create it again.")
+    surface: Surface = surface_of_vtk(reader.GetOutput())
+    return surface
 
 
-def _read_obj(name: str) -> Surface | None:
-    """Vertices and faces; None where they are damaged.
-
-    VTK's reader makes a vertex for each of its normals and texture coordinates, which opens the surface.
-    """
+def _read_polygons(name: str) -> Surface:
     import numpy
 
-    points: list[list[float]] = []
-    faces: list[list[int]] = []
+    with open(name, "rb") as file:
+        content = file.read()
     try:
-        with open(name, encoding="utf-8", errors="replace") as file:
-            for line in file.read().replace("\\\n", " ").splitlines():
-                word, *words = line.split() or [""]
-                if word == "v":
-                    points.append([finite(word) for word in words[:3]])
-                elif word == "f":
-                    corners = [int(word.partition("/")[0]) for word in words]
-                    # Counted from 1, or, where negative, back from the last vertex.
-                    faces.append([corner - 1 if corner > 0 else len(points) + corner for corner in corners])
-        places = numpy.array(points, float).reshape(-1, 3)
-    except ValueError:
-        return None
-    vertices = [vertex for face in faces for vertex in face]
-    is_whole = (
-        numpy.isfinite(places).all()
-        and all(len(face) > 2 for face in faces)
-        and all(0 <= vertex < len(points) for vertex in vertices)
-    )
-    if not is_whole:
-        return None
+        points, corners, offsets = _kernels.read_polygons(name, content)
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
     return Surface(
-        points=places,
-        corners=numpy.array(vertices, numpy.int32),
-        offsets=numpy.cumsum([0, *map(len, faces)]).astype(numpy.int32),
-        displacements=numpy.zeros((len(places), 3)),
-        correspondence=numpy.zeros(len(places), numpy.uint8),
+        points=points,
+        corners=corners,
+        offsets=offsets,
+        displacements=numpy.zeros(points.shape),
+        correspondence=numpy.zeros(len(points), numpy.uint8),
     )
 
 

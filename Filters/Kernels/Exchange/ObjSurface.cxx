@@ -1,29 +1,29 @@
-#include "PolygonFile.h"
-
-#include "CheckedPolygons.h"
+#include "Exchange/PolygonFile.h"
 
 #include <sstream>
+#include <vector>
 
-namespace Command
+namespace FlipFree
 {
 namespace
 {
 
 /// `12`, `12/3`, `12//5` or `12/3/5`; counted from 1, or, where negative, back from the last
 /// vertex.
-vtkIdType ObjVertex(const std::string& word, vtkIdType numberOfPoints)
+std::int64_t ObjVertex(const std::string& word, std::int64_t numberOfPoints)
 {
-  const vtkIdType index = IndexIn(NumberIn(word.substr(0, word.find('/'))));
+  const std::int64_t index = IndexIn(NumberIn(word.substr(0, word.find('/'))));
   return index < 0 ? numberOfPoints + index : index - 1;
 }
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> ReadObj(const std::string& name)
+CheckedPolygons ReadObj(const std::string& bytes)
 {
-  std::istringstream file(Contents(name));
+  std::istringstream file(bytes);
   CheckedPolygons polygons;
-  std::vector<std::vector<vtkIdType>> faces; // may refer to later vertices
+  bool isRas = false;
+  std::vector<std::vector<std::int64_t>> faces; // may refer to later vertices
   for (std::string line; std::getline(file, line);)
   {
     std::string rest;
@@ -32,6 +32,7 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& name)
       line.back() = ' ';
       line += rest;
     }
+    isRas = isRas || (line.rfind('#', 0) == 0 && SaysRas(line));
     std::istringstream stream(line);
     std::string word;
     stream >> word;
@@ -55,11 +56,15 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& name)
       }
     }
   }
-  for (const std::vector<vtkIdType>& face : faces)
+  for (const std::vector<std::int64_t>& face : faces)
   {
     polygons.AddFace(face);
   }
-  return polygons.Surface();
+  if (isRas)
+  {
+    polygons.SwapRasLps();
+  }
+  return polygons;
 }
 
-} // namespace Command
+} // namespace FlipFree

@@ -1,15 +1,16 @@
-#include "PolygonFile.h"
+#include "Exchange/PolygonFile.h"
+#include "Exchange/TextWords.h"
 
-#include "CheckedPolygons.h"
-#include "Failure.h"
-
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <sstream>
+#include <vector>
 
-namespace Command
+namespace FlipFree
 {
 namespace
 {
@@ -27,14 +28,14 @@ std::size_t NumberOfStlTriangles(const std::string& bytes)
 /// Files of text begin with `solid`, and so do some binary ones.
 bool IsBinaryStl(const std::string& bytes)
 {
-  const bool beginsAsText = bytes.compare(0, 5, "solid") == 0;
+  const bool beginsAsText = InSmallLetters(bytes.substr(0, 5)) == "solid";
   const bool isWhole = bytes.size() >= StlHeader &&
     bytes.size() >= StlHeader + StlTriangle * NumberOfStlTriangles(bytes);
   if (!beginsAsText && !isWhole)
   {
-    throw Failure("it holds fewer triangles than its header says");
+    RefusePolygons("it holds fewer triangles than its header says");
   }
-  return !beginsAsText || (isWhole && bytes.find("facet") == std::string::npos);
+  return !beginsAsText || (isWhole && InSmallLetters(bytes).find("facet") == std::string::npos);
 }
 
 /// Corners of triangles; those in the same place become one vertex.
@@ -43,7 +44,12 @@ class StlCorners
 public:
   void Add(const std::array<double, 3>& point)
   {
-    const auto found = this->Vertices.emplace(point, static_cast<vtkIdType>(this->Vertices.size()));
+    if (std::any_of(point.begin(), point.end(), [](double x) { return std::isnan(x); }))
+    {
+      this->Found.AddPoint(point.data()); // refuses what has no order among places
+    }
+    const auto found =
+      this->Vertices.emplace(point, static_cast<std::int64_t>(this->Vertices.size()));
     if (found.second)
     {
       this->Found.AddPoint(point.data());
@@ -56,30 +62,33 @@ public:
     return this->Corners.size() == 3 * NumberOfStlTriangles(bytes);
   }
 
-  vtkSmartPointer<vtkPolyData> Surface()
+  CheckedPolygons Surface(bool isRas)
   {
     if (this->Corners.size() % 3 != 0)
     {
-      throw Failure("its last triangle is incomplete");
+      RefusePolygons("its last triangle is incomplete");
     }
     for (auto corner = this->Corners.begin(); corner != this->Corners.end(); corner += 3)
     {
       this->Found.AddFace({ corner, corner + 3 });
     }
-    return this->Found.Surface();
+    if (isRas)
+    {
+      this->Found.SwapRasLps();
+    }
+    return std::move(this->Found);
   }
 
 private:
-  std::map<std::array<double, 3>, vtkIdType> Vertices;
-  std::vector<vtkIdType> Corners;
+  std::map<std::array<double, 3>, std::int64_t> Vertices;
+  std::vector<std::int64_t> Corners;
   CheckedPolygons Found;
 };
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name)
+CheckedPolygons ReadStl(const std::string& bytes)
 {
-  const std::string bytes = Contents(name);
   StlCorners corners;
   if (IsBinaryStl(bytes))
   {
@@ -93,12 +102,12 @@ vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name)
         corners.Add({ { numbers[3 * corner], numbers[3 * corner + 1], numbers[3 * corner + 2] } });
       }
     }
-    return corners.Surface();
+    return corners.Surface(SaysRas(bytes.substr(0, StlHeader)));
   }
   std::istringstream words(bytes);
   for (std::string word; words >> word;)
   {
-    if (word == "vertex")
+    if (InSmallLetters(word) == "vertex")
     {
       std::array<double, 3> point;
       for (double& coordinate : point)
@@ -110,7 +119,7 @@ vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name)
       corners.Add(point);
     }
   }
-  return corners.Surface();
+  return corners.Surface(SaysRas(bytes.substr(0, bytes.find('\n'))));
 }
 
-} // namespace Command
+} // namespace FlipFree

@@ -1,16 +1,13 @@
-#include "PolygonFile.h"
-
-#include "CheckedPolygons.h"
-#include "Failure.h"
+#include "Exchange/PolygonFile.h"
+#include "Exchange/TextWords.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <map>
-#include <sstream>
+#include <vector>
 
-namespace Command
+namespace FlipFree
 {
 namespace
 {
@@ -32,24 +29,24 @@ struct PlyProperty
 struct PlyElement
 {
   std::string Name;
-  vtkIdType Count = 0;
+  std::int64_t Count = 0;
   std::vector<PlyProperty> Properties;
 };
 
 class PlyFile
 {
 public:
-  explicit PlyFile(const std::string& name)
-    : Bytes(Contents(name))
+  explicit PlyFile(const std::string& bytes)
+    : Bytes(bytes)
   {
   }
 
-  vtkSmartPointer<vtkPolyData> Read()
+  CheckedPolygons Read()
   {
     this->ReadHeader();
     for (const PlyElement& element : this->Elements)
     {
-      for (vtkIdType index = 0; index < element.Count; ++index)
+      for (std::int64_t index = 0; index < element.Count; ++index)
       {
         this->ReadElement(element);
       }
@@ -59,11 +56,15 @@ public:
     {
       polygons.AddPoint(&this->Positions[begin]);
     }
-    for (const std::vector<vtkIdType>& face : this->Faces)
+    for (const std::vector<std::int64_t>& face : this->Faces)
     {
       polygons.AddFace(face);
     }
-    return polygons.Surface();
+    if (this->IsRas)
+    {
+      polygons.SwapRasLps();
+    }
+    return polygons;
   }
 
 private:
@@ -72,18 +73,21 @@ private:
     const std::size_t end = this->Bytes.find('\n', this->At);
     if (end == std::string::npos)
     {
-      throw Failure("its header does not end");
+      RefusePolygons("its header does not end");
     }
-    std::istringstream line(this->Bytes.substr(this->At, end - this->At));
+    const std::vector<std::string> words = Words(this->Bytes.substr(this->At, end - this->At));
     this->At = end + 1;
-    return { std::istream_iterator<std::string>(line), {} };
+    this->IsRas = this->IsRas ||
+      (!words.empty() && words.front() == "comment" &&
+        std::any_of(words.begin(), words.end(), SaysRas));
+    return words;
   }
 
   void ReadHeader()
   {
     if (this->LineOfHeader() != std::vector<std::string>{ "ply" })
     {
-      throw Failure("it does not begin with 'ply'");
+      RefusePolygons("it does not begin with 'ply'");
     }
     static const std::map<std::string, PlyForm> forms{ { "ascii", PlyForm::Text },
       { "binary_little_endian", PlyForm::LittleEndian },
@@ -111,19 +115,19 @@ private:
       }
       else if (first != "comment" && first != "obj_info")
       {
-        throw Failure("a line of its header is not understood");
+        RefusePolygons("a line of its header is not understood");
       }
     }
     if (!hasForm)
     {
-      throw Failure("its header does not state the format");
+      RefusePolygons("its header does not state the format");
     }
     for (const PlyElement& element : this->Elements)
     {
       // Each takes at least a byte, so that a wrong count ends with the file.
       if (element.Count < 0 || (element.Properties.empty() && element.Count > 0))
       {
-        throw Failure("it cannot hold so many elements");
+        RefusePolygons("it cannot hold so many elements");
       }
     }
   }
@@ -150,7 +154,7 @@ private:
     {
       if (coordinates != 3)
       {
-        throw Failure("its vertices have no x, y and z");
+        RefusePolygons("its vertices have no x, y and z");
       }
       this->Positions.insert(this->Positions.end(), position, position + 3);
     }
@@ -158,11 +162,11 @@ private:
 
   void ReadList(const PlyProperty& property, bool isOfFace)
   {
-    const vtkIdType count = IndexIn(this->Number(property.CountType));
-    std::vector<vtkIdType> list;
+    const std::int64_t count = IndexIn(this->Number(property.CountType));
+    std::vector<std::int64_t> list;
     const bool isFace =
       isOfFace && (property.Name == "vertex_indices" || property.Name == "vertex_index");
-    for (vtkIdType index = 0; index < count; ++index)
+    for (std::int64_t index = 0; index < count; ++index)
     {
       const double number = this->Number(property.Type);
       if (isFace)
@@ -187,7 +191,7 @@ private:
     const std::size_t begin = this->Bytes.find_first_not_of(blanks, this->At);
     if (begin == std::string::npos)
     {
-      throw Failure("the file is truncated");
+      RefusePolygons("the file is truncated");
     }
     this->At = std::min(this->Bytes.find_first_of(blanks, begin), this->Bytes.size());
     return this->Bytes.substr(begin, this->At - begin);
@@ -199,7 +203,7 @@ private:
     char bytes[sizeof(T)];
     if (this->Bytes.size() - this->At < sizeof(T))
     {
-      throw Failure("the file is truncated");
+      RefusePolygons("the file is truncated");
     }
     std::copy_n(&this->Bytes[this->At], sizeof(T), bytes);
     this->At += sizeof(T);
@@ -227,24 +231,25 @@ private:
     const auto found = readers.find(type);
     if (found == readers.end())
     {
-      throw Failure("a property has no known type");
+      RefusePolygons("a property has no known type");
     }
     return (this->*found->second)();
   }
 
-  std::string Bytes;
+  const std::string& Bytes;
   std::size_t At = 0;
   PlyForm Form = PlyForm::Text;
+  bool IsRas = false;
   std::vector<PlyElement> Elements;
   std::vector<double> Positions;
-  std::vector<std::vector<vtkIdType>> Faces;
+  std::vector<std::vector<std::int64_t>> Faces;
 };
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> ReadPly(const std::string& name)
+CheckedPolygons ReadPly(const std::string& bytes)
 {
-  return PlyFile(name).Read();
+  return PlyFile(bytes).Read();
 }
 
-} // namespace Command
+} // namespace FlipFree
