@@ -441,9 +441,13 @@ namespace
 // vary, and beyond the third is a brighter neighbor.
 struct LobesImage : BallImage
 {
-  LobesImage()
+  explicit LobesImage(double neck = 4, double second = 100, double scale = 1)
     : BallImage({ 1, 1, 2 })
+    , Neck(neck)
+    , Scale(scale)
   {
+    this->Geometry.Spacing *= scale;
+    this->Geometry.Origin *= scale;
     std::mt19937 random(5);
     for (std::size_t voxel = 0; voxel < this->Voxels.size(); ++voxel)
     {
@@ -452,6 +456,7 @@ struct LobesImage : BallImage
       this->Voxels[voxel] = static_cast<float>(noise +
         (!this->IsOrgan(voxel) ? 0
             : x > 14           ? 130
+            : x > -2           ? second
                                : 100));
     }
     this->Candidate = this->Lobes(-32, 32);
@@ -460,7 +465,7 @@ struct LobesImage : BallImage
   Eigen::Vector3d PlaceOf(std::size_t voxel) const
   {
     const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
-    return this->Geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+    return this->Geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2])) / this->Scale;
   }
 
   bool IsOrgan(std::size_t voxel) const
@@ -469,7 +474,7 @@ struct LobesImage : BallImage
     const auto isInBall = [&](double x, double radius)
     { return (at - Eigen::Vector3d(x, 0, 0)).norm() <= radius; };
     return isInBall(-18, 11) || isInBall(4, 10) || isInBall(22, 9) ||
-      (std::abs(at[0]) < 20 && std::hypot(at[1], at[2]) < 4);
+      (std::abs(at[0]) < 20 && std::hypot(at[1], at[2]) < this->Neck);
   }
 
   BitMask Lobes(double begin, double end) const
@@ -489,10 +494,13 @@ struct LobesImage : BallImage
 
   BitMask Corrected(BitMask foreground, const ConstraintList& constraints) const
   {
-    EXPECT_TRUE(CorrectForeground(this->Image(), { { -18, 0, 0 }, 5 }, constraints, SerialFor,
-      NeverStop, foreground));
+    EXPECT_TRUE(CorrectForeground(this->Image(), { { -18 * this->Scale, 0, 0 }, 5 * this->Scale },
+      constraints, SerialFor, NeverStop, foreground));
     return foreground;
   }
+
+  const double Neck;  ///< its radius, of which all is by the scale
+  const double Scale; ///< mm
 };
 
 } // namespace
@@ -521,6 +529,25 @@ TEST(ForegroundCorrection, OnePointInALeakTakesTheLeak)
   EXPECT_EQ(lost.Count(), 0U);
 }
 
+// Behind a wide neck, only what differs from the rest: else a point in a vessel or a cyst would
+// take half of an organ.
+TEST(ForegroundCorrection, OnePointLeavesWhatIsTheOrgansOwnBehindAWideNeck)
+{
+  const ConstraintList point{ { ConstraintKind::Outside, { 10, 4, 0 }, 0 } };
+  for (const bool isOwn : { true, false })
+  {
+    LobesImage image(8, isOwn ? 100 : 112, 2);
+    for (const std::size_t voxel : VoxelsInSphere(image.Geometry, { point.front().Point, 6 }))
+    {
+      image.Voxels[voxel] -= 50;
+    }
+    const BitMask lobe = image.Lobes(-4, 14);
+    BitMask left = image.Corrected(image.Lobes(-32, 14), point);
+    left.Intersect(lobe);
+    EXPECT_EQ(left.Count() > lobe.Count() / 2, isOwn) << left.Count() << " of " << lobe.Count();
+    EXPECT_FALSE(image.IsAt(left, 10, 4, 0));
+  }
+}
 // The organ is the end of a tube; the rest, a little brighter, is wider, so no neck parts it.
 TEST(ForegroundCorrection, OnePointInALeakWithoutANeckTakesWhatIsNearer)
 {

@@ -17,11 +17,6 @@ namespace
 // to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
 constexpr double Growth = 0.01;
 
-// Nor is a surface on a settled foreground of which a part still moves, such as the tip of a lobe:
-// over ChangeSpan iterations, this fraction of its vertices by more than this many voxels.
-constexpr double MovingPart = 0.005;
-constexpr double MovingVoxels = 0.5;
-
 /// Adds to a sum how long a block takes, wherever the block is left.
 class SecondsOfBlock
 {
@@ -201,7 +196,6 @@ void DeformingOrgan::BeginLevel(int level)
   this->Surface.Reason = StopReason::NotRun;
   this->Distances.clear();
   this->Matched.clear();
-  this->Recent.assign(1, this->Surface.Points);
   this->Hulls.reset();
   if (this->Enforcer)
   {
@@ -277,11 +271,6 @@ void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
   this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
   this->Distances.push_back(this->Record.Targets.MeanDistance);
   this->Matched.push_back(this->Record.Targets.Matched);
-  this->Recent.push_back(this->Surface.Points);
-  if (this->Recent.size() > ScheduleSettings::ChangeSpan + 1)
-  {
-    this->Recent.pop_front();
-  }
   this->Surface.Reason = this->ReasonToEndLevel();
 }
 
@@ -292,13 +281,6 @@ bool DeformingOrgan::IsGrowing() const
   return this->Matched.back() - before > Growth * this->Surface.Mesh.NumberOfPoints();
 }
 
-bool DeformingOrgan::IsMoving() const
-{
-  const Eigen::VectorXd moved = (this->Recent.back() - this->Recent.front()).rowwise().norm();
-  return this->Settled &&
-    (moved.array() > MovingVoxels * this->Voxel).count() > MovingPart * moved.size();
-}
-
 // NotRun: the level goes on.
 StopReason DeformingOrgan::ReasonToEndLevel() const
 {
@@ -307,9 +289,7 @@ StopReason DeformingOrgan::ReasonToEndLevel() const
     return StopReason::NoBoundaryFound;
   }
   const StopReason reason = this->Settings.Schedule.ReasonToStop(this->Distances, this->Voxel);
-  return reason == StopReason::AtRest && (this->IsGrowing() || this->IsMoving())
-    ? StopReason::NotRun
-    : reason;
+  return reason == StopReason::AtRest && this->IsGrowing() ? StopReason::NotRun : reason;
 }
 
 void DeformingOrgan::Replace(ContourMesh mesh, PointList points)

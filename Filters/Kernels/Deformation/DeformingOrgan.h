@@ -14,7 +14,6 @@
 #include "Evidence/TissueGrowth.h"
 #include "Intensity/GrowingForeground.h"
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -105,7 +104,6 @@ private:
   double MeanDistanceOfMobile() const;
   void FreePulled(const PointList& from);
   bool IsGrowing() const;
-  bool IsMoving() const;
   StopReason ReasonToEndLevel() const;
   template <typename Call>
   auto Naming(const Call& call) const
@@ -143,7 +141,6 @@ private:
   std::optional<FaceHulls> Hulls; // if there are constraints
   std::unique_ptr<DeformationSolver> Solver;
   std::vector<double> Distances; // mean distances to the targets, by iteration
-  std::deque<PointList> Recent;  // positions before the last ChangeSpan iterations, to after them
   std::vector<int> Matched;      // vertices, by iteration
   IterationRecord Record;
 };
