@@ -554,8 +554,9 @@ TEST(SegmentationMetrics, WarnOfWhatIsNoLabelMap)
   values->SetValue(7, 0.25F);
   values->SetValue(8, 0.5F);
   fractions->GetPointData()->SetScalars(values);
-  for (const auto& [image, said] :
-    { std::make_pair(scan.Get(), "-1000"), std::make_pair(fractions.Get(), "0.25, 0.5") })
+  const std::pair<vtkImageData*, const char*> images[] = { { scan, "-1000" },
+    { fractions, "0.25, 0.5" } };
+  for (const auto& [image, said] : images)
   {
     for (const bool isReference : { true, false })
     {
