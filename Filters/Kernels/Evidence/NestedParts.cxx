@@ -10,7 +10,7 @@ namespace
 {
 
 // How narrow a neck is, in comparison with the smaller of the parts that it connects.
-constexpr std::array<double, 5> NeckRatios{ { 0.5, 0.6, 0.7, 0.8, 0.9 } };
+constexpr std::array<double, 4> NeckRatios{ { 0.6, 0.7, 0.8, 0.9 } };
 
 } // namespace
 
