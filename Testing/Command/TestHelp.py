@@ -47,6 +47,11 @@ class TestHelp(unittest.TestCase):
             self.assertEqual(process.returncode, 2, arguments)
             self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]*--help'\.\n\Z")
 
+    def test_cohort_is_elsewhere(self):
+        process = command.run("cohort", "table.csv", "-o", "results")
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr, r"'cohort' is a subcommand of the Python package only: [^\n]*pip install")
+
 
 if __name__ == "__main__":
     unittest.main()

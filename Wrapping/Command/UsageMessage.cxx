@@ -42,6 +42,11 @@ std::string UnknownWordMessage(const CLI::App& program)
   const std::vector<CLI::App*> subcommands = program.get_subcommands();
   const CLI::App& command = subcommands.empty() ? program : *subcommands.front();
   const std::vector<std::string> unknown = command.remaining();
+  if (subcommands.empty() && !unknown.empty() && unknown.front() == "cohort")
+  {
+    return "'cohort' is a subcommand of the Python package only: run pip install "
+           "'.[cohort]' in the source folder, in a virtual environment, and use its command.";
+  }
   if (subcommands.empty() && !unknown.empty() && unknown.front().rfind('-', 0) != 0)
   {
     return "There is no subcommand '" + unknown.front() + "'." +

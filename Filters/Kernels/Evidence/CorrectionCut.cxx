@@ -34,6 +34,9 @@ constexpr double DeepInOrganRadii = 1.3;
 // A part behind no wider a neck than this fraction of it leaves; one behind a wider neck, unless
 // the image shows that it is the organ's own.
 constexpr double NarrowNeck = 0.6;
+// Nor does anything come with an inside point from behind such a neck, or one like this in tissue
+// that was not expected in the organ.
+constexpr double NeckOfTissue = 0.5;
 
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
 // sheets may go all around the organ.
@@ -245,7 +248,7 @@ private:
     if (!correction.IsInside)
     {
       if (!this->Leaks &&
-        !this->FindParts(this->IsIn, VoxelsAround(this->Grid.Blocks, this->Known.Seed),
+        !this->FindParts(this->IsIn, VoxelsAround(this->Grid.Blocks, this->Known.Seed), NarrowNeck,
           this->Leaks))
       {
         return false;
@@ -308,7 +311,7 @@ private:
     std::optional<NestedParts> parts;
     if (!this->FindParts(
           this->NotInMask(this->CountVoxels(correction.Tissue->Voxels, correction.Tissue->Box)), {},
-          parts))
+          NeckOfTissue, parts))
     {
       return false;
     }
@@ -413,18 +416,18 @@ private:
     return this->FindParts(this->NotInMask(candidate.HasGrid()
                                ? this->Grid.CountVoxels(candidate, this->Parallel)
                                : std::vector<std::size_t>()),
-      {}, this->Missed);
+      {}, NarrowNeck, this->Missed);
   }
 
   // False if the monitor stopped it.
   bool FindParts(const std::vector<unsigned char>& inside, const std::vector<std::size_t>& seed,
-    std::optional<NestedParts>& parts) const
+    double narrowest, std::optional<NestedParts>& parts) const
   {
     std::vector<float> depth =
       SquaredDistance(inside, this->Grid.Blocks, 0, this->Parallel, this->Ask);
     if (!depth.empty())
     {
-      parts.emplace(std::move(depth), this->Grid.Blocks, seed);
+      parts.emplace(std::move(depth), this->Grid.Blocks, seed, narrowest);
     }
     return parts.has_value();
   }

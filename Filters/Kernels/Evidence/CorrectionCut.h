@@ -5,15 +5,16 @@
  * A point is certain about its surroundings. It proposes its side for what looks alike around it
  * (PointWorth.h), and, where it lies on top of a part that necks separate from the rest
  * (NestedParts.h), for all of that part: an outside point in the depth of the mask, an inside point
- * in the depth of what might belong to the organ but is not in the mask. Where no neck parts an
- * outside point in the depth of the mask from the organ, all that is nearer to it than to the organ
- * may leave. An inside point in the depth of what was not expected in the organ proposes the part
- * around it of what grows from there (TissueGrowth.h). Where a point lies at the place of a part
- * about which another opinion disagrees (OtherParts.h), that part is proposed as a whole, unless a
- * point of the other kind lies in it. What a point proposes depends on the mask and the image, and
- * gets less by points of the other kind, never by those of its own. So a further inside point can
- * only add, a further outside point only remove, and their order means nothing: minimum cuts are
- * monotone in their terminals.
+ * in the depth of what might belong to the organ but is not in the mask. A part behind a wide neck
+ * stays, though, if the image shows that it is the organ's own (SeveredParts.h). Where no neck
+ * parts an outside point in the depth of the mask from the organ, all that is nearer to it than to
+ * the organ may leave. An inside point in the depth of what was not expected in the organ proposes
+ * the part around it of what grows from there (TissueGrowth.h). Where a point lies at the place of
+ * a part about which another opinion disagrees (OtherParts.h), that part is proposed as a whole,
+ * unless a point of the other kind lies in it. What a point proposes depends on the mask and the
+ * image, and gets less by points of the other kind, never by those of its own. So a further inside
+ * point can only add, a further outside point only remove, and their order means nothing: minimum
+ * cuts are monotone in their terminals.
  */
 #ifndef FlipFreeCorrectionCut_h
 #define FlipFreeCorrectionCut_h

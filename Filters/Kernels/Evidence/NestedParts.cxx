@@ -1,7 +1,6 @@
 #include "Evidence/NestedParts.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace FlipFree
@@ -9,17 +8,21 @@ namespace FlipFree
 namespace
 {
 
-// How narrow a neck is, in comparison with the smaller of the parts that it connects.
-constexpr std::array<double, 5> NeckRatios{ { 0.5, 0.6, 0.7, 0.8, 0.9 } };
+// How narrow a neck is, in comparison with the smaller of the parts that it connects: up to the
+// widest, by steps.
+constexpr double WidestNeck = 0.9;
+constexpr double NeckStep = 0.1;
 
 } // namespace
 
 NestedParts::NestedParts(std::vector<float> squaredDistances, const ImageGeometry& geometry,
-  const std::vector<std::size_t>& seed)
+  const std::vector<std::size_t>& seed, double narrowest)
   : Squared(std::move(squaredDistances))
 {
-  for (const double ratio : NeckRatios)
+  for (int step = 0; narrowest + step * NeckStep < WidestNeck + NeckStep / 2; ++step)
   {
+    const double ratio = narrowest + step * NeckStep;
+    this->NeckRatios.push_back(ratio);
     this->Levels.push_back(FindDistanceParts(this->Squared, geometry, seed, ratio));
   }
 }
@@ -66,7 +69,7 @@ NestedPart NestedParts::PartAround(std::size_t voxel, const std::vector<std::siz
     if (std::none_of(others.begin(), others.end(),
           [&](std::size_t other) { return std::binary_search(part.begin(), part.end(), other); }))
     {
-      return { std::move(part), NeckRatios[index] };
+      return { std::move(part), this->NeckRatios[index] };
     }
   }
   return {};

@@ -22,9 +22,9 @@ class NestedParts
 {
 public:
   /// Of the shape with these squared distances from its outside (FindDistanceParts()); `seed` are
-  /// voxels that no part holds.
+  /// voxels that no part holds. Necks narrower than `narrowest` of a part divide even the largest.
   NestedParts(std::vector<float> squaredDistances, const ImageGeometry& geometry,
-    const std::vector<std::size_t>& seed);
+    const std::vector<std::size_t>& seed, double narrowest);
 
   const std::vector<float>& GetSquaredDistances() const { return this->Squared; }
 
@@ -35,6 +35,7 @@ public:
 
 private:
   const std::vector<float> Squared;
+  std::vector<double> NeckRatios; // of the levels, from the narrowest necks on
   std::vector<DistanceParts> Levels;
 };
 

@@ -1,5 +1,6 @@
 /** The organs of a session, with undo and redo: every change makes a new state, and the former ones are kept. */
 import type { Corrections, Organ, Parameters, Preset, Seed, StartLabels, Triple, Vessel } from "../flipfree/index.js";
+import { distanceBetween } from "./stroke.js";
 
 export type CorrectionKind = "inside" | "outside" | "boundary" | "seed";
 
@@ -72,7 +73,7 @@ export function correctionsOf({ corrections }: SessionOrgan): Corrections {
 export function isRepeated(point: Correction, earlier: readonly Correction[]): boolean {
   const isSame = ({ kind, position, radius }: Correction) =>
     kind === point.kind &&
-    Math.hypot(...position.map((value, axis) => value - point.position[axis])) < 0.1 &&
+    distanceBetween(position, point.position) < 0.1 &&
     Math.abs((radius ?? 0) - (point.radius ?? 0)) < 0.1;
   return earlier.some(isSame);
 }
