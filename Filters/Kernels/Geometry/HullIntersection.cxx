@@ -133,10 +133,21 @@ bool AllOnOneSide(const Triangle& plane, const Triangle& other)
     Orientation3D(plane[0], plane[1], plane[2], other[2]) == side;
 }
 
-// A triangle without an area is a segment or a point.
+TriangleBox BoxAround(const Triangle& t)
+{
+  TriangleBox box;
+  for (const double* corner : t)
+  {
+    box.Add(corner);
+  }
+  return box;
+}
+
+// A triangle without an area is a segment or a point. Boxes spare those of one plane, as flat parts
+// of a surface have them, what is slow for them: exact signs.
 bool TrianglesMeet(const Triangle& one, const Triangle& two)
 {
-  if (AllOnOneSide(one, two) || AllOnOneSide(two, one))
+  if (!BoxAround(one).Touches(BoxAround(two)) || AllOnOneSide(one, two) || AllOnOneSide(two, one))
   {
     return false;
   }
