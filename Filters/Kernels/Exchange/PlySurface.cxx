@@ -75,7 +75,7 @@ private:
     {
       RefusePolygons("its header does not end");
     }
-    const std::vector<std::string> words = Words(this->Bytes.substr(this->At, end - this->At));
+    std::vector<std::string> words = Words(this->Bytes.substr(this->At, end - this->At));
     this->At = end + 1;
     this->IsRas = this->IsRas ||
       (!words.empty() && words.front() == "comment" &&
