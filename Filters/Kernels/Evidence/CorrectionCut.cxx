@@ -31,11 +31,11 @@ constexpr double OnTopOfMissedPart = 0.5;
 // A point is as deep as the organ if it is so deep in the mask, in radii of the ball around the
 // seed.
 constexpr double DeepInOrganRadii = 1.3;
-// A part behind no wider a neck than this fraction of it leaves; one behind a wider neck, unless
-// the image shows that it is the organ's own.
+// A neck is narrow below this fraction of the part behind it. The part behind a narrow neck leaves
+// in any case; behind a wider one it stays where the image shows that it is the organ's own. An
+// inside point brings nothing from beyond a narrow neck; in tissue that was not expected in the
+// organ, only narrower necks count.
 constexpr double NarrowNeck = 0.6;
-// Nor does anything come with an inside point from behind such a neck, or one like this in tissue
-// that was not expected in the organ.
 constexpr double NeckOfTissue = 0.5;
 
 // What is missed is opened by this part of its depth, and no more than that many millimeters:
