@@ -65,6 +65,8 @@ public:
     , Ball(BallInside(evidence.Before, evidence.Seed))
     , Similarity(evidence.Noise, evidence.Kind)
     , Smooth(SmoothBlockMeans(evidence.Image, Grid, parallelFor))
+    , Spread(FindSpread())
+    , Links(RegionLinks(Smoothness, Ball.Radius, Spread))
     , Fill(Grid.CountVoxels(evidence.Before, parallelFor))
     , Worth(Fill.size(), Stays)
     , IsCertain(Fill.size(), false)
@@ -294,15 +296,13 @@ private:
     {
       return false; // the coil's field hides it
     }
-    const double spread = this->SpreadIn(this->Ball);
     const std::vector<SeveredPart> severed = FindSeveredParts(this->Grid.Blocks,
       BlockNodes(this->IsIn.size(), [this](std::size_t block) { return this->IsIn[block] != 0; }),
-      this->Smooth, this->Leaks->GetSquaredDistances(),
-      RegionLinks(Smoothness, this->Ball.Radius, spread).EdgeContrast,
+      this->Smooth, this->Leaks->GetSquaredDistances(), this->Links.EdgeContrast,
       [&part](std::size_t block) { return !std::binary_search(part.begin(), part.end(), block); });
     return std::all_of(severed.begin(), severed.end(),
       [&](const SeveredPart& one)
-      { return EvidenceOfNeighbor(one, {}, spread, this->Known.Kind).value_or(1) < 1; });
+      { return EvidenceOfNeighbor(one, {}, this->Spread, this->Known.Kind).value_or(1) < 1; });
   }
 
   // Of what is not in the mask, the part around the point.
@@ -494,14 +494,13 @@ private:
   {
     const BlockNodes nodes(this->Worth.size(),
       [this](std::size_t block) { return this->Worth[block] > Stays; });
-    const BlockLinks links = RegionLinks(Smoothness, this->Ball.Radius, this->SpreadIn(this->Ball));
     RegionCut cut(MakeBlockNetwork(
-                    this->Grid.Blocks, nodes, this->Smooth, links,
+                    this->Grid.Blocks, nodes, this->Smooth, this->Links,
                     [this](std::size_t block)
                     { return this->IsIn[block] ? -this->Worth[block] : this->Worth[block]; },
                     [this](std::size_t block) { return this->IsIn[block] ? 1 : -1; },
                     this->Parallel),
-      CapacityUnit(this->Grid.Blocks, links), nodes);
+      CapacityUnit(this->Grid.Blocks, this->Links), nodes);
     for (std::size_t block = 0; block < this->IsCertain.size(); ++block)
     {
       if (this->IsCertain[block])
@@ -528,11 +527,11 @@ private:
     return true;
   }
 
-  // Of the blocks' gray values, in which edges are looked for.
-  double SpreadIn(const SeedSphere& ball) const
+  // Of the blocks' gray values around the seed, in which edges are looked for.
+  double FindSpread() const
   {
     std::vector<float> values;
-    for (const std::size_t block : VoxelsAround(this->Grid.Blocks, ball))
+    for (const std::size_t block : VoxelsAround(this->Grid.Blocks, this->Ball))
     {
       values.push_back(this->Smooth[block]);
     }
@@ -565,6 +564,8 @@ private:
 
   // Of the blocks.
   const std::vector<float> Smooth;     // gray values
+  const double Spread;                 // of them, around the seed
+  const BlockLinks Links;              // what cuts between them cost
   const std::vector<std::size_t> Fill; // voxels in the mask
   std::vector<unsigned char> IsIn;     // half of the block is in the mask
   std::vector<float> Worth;            // of its changing sides, per mm3

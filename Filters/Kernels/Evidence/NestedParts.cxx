@@ -22,8 +22,7 @@ NestedParts::NestedParts(std::vector<float> squaredDistances, const ImageGeometr
   for (int step = 0; narrowest + step * NeckStep < WidestNeck + NeckStep / 2; ++step)
   {
     const double ratio = narrowest + step * NeckStep;
-    this->NeckRatios.push_back(ratio);
-    this->Levels.push_back(FindDistanceParts(this->Squared, geometry, seed, ratio));
+    this->Levels.emplace_back(ratio, FindDistanceParts(this->Squared, geometry, seed, ratio));
   }
 }
 
@@ -32,9 +31,9 @@ NestedPart NestedParts::PartAround(std::size_t voxel, const std::vector<std::siz
 {
   std::vector<std::size_t> part;
   bool isPart = false;
-  for (std::size_t index = 0; index < this->Levels.size(); ++index)
+  for (const auto& levelOfRatio : this->Levels)
   {
-    const DistanceParts& level = this->Levels[index];
+    const DistanceParts& level = levelOfRatio.second;
     const int own = level.PartOf[voxel];
     if (own == DistanceParts::Outside || level.HoldsSeed[own])
     {
@@ -69,7 +68,7 @@ NestedPart NestedParts::PartAround(std::size_t voxel, const std::vector<std::siz
     if (std::none_of(others.begin(), others.end(),
           [&](std::size_t other) { return std::binary_search(part.begin(), part.end(), other); }))
     {
-      return { std::move(part), this->NeckRatios[index] };
+      return { std::move(part), levelOfRatio.first };
     }
   }
   return {};

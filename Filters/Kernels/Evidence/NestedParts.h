@@ -7,6 +7,7 @@
 
 #include "Image/DistanceParts.h"
 
+#include <utility>
 #include <vector>
 
 namespace FlipFree
@@ -35,8 +36,7 @@ public:
 
 private:
   const std::vector<float> Squared;
-  std::vector<double> NeckRatios; // of the levels, from the narrowest necks on
-  std::vector<DistanceParts> Levels;
+  std::vector<std::pair<double, DistanceParts>> Levels; // by neck ratio, ascending
 };
 
 } // namespace FlipFree

@@ -182,6 +182,10 @@ private:
   /// whole files claim tells nothing.
   void LeaveOutHalfCopies(SeriesFiles& files)
   {
+    if (files.Damaged.empty())
+    {
+      return;
+    }
     const auto instanceOf = [this](std::size_t file)
     { return this->AttributesOf(file).Text(DicomTag::SOPInstanceUID); };
     std::map<std::string, int> whole;
