@@ -1,5 +1,4 @@
 // The vein beside a liver: found, told from others, and carved.
-#include "Evidence/DiskEvidence.h"
 #include "Evidence/VenaCavaCarving.h"
 #include "ExampleSurfaces.h"
 #include "ExampleVolumes.h"
@@ -25,7 +24,7 @@ struct Abdomen
   void operator=(const Abdomen&) = delete;
 
   ImageGeometry Geometry;
-  Eigen::Vector3d Vein{ 155, 124, 0 };
+  Eigen::Vector3d Vein{ 158, 127, 0 };
   double Radius = 11;
   double Bottom = -1e3; // of the vein
   double Top = 1e3;
@@ -73,7 +72,7 @@ void ExpectCarved(const Abdomen& abdomen)
   vein.Remove(organ);
   BitMask left = vein;
   left.Intersect(carved);
-  EXPECT_LT(left.Count(), 0.4 * static_cast<double>(vein.Count()));
+  EXPECT_LT(left.Count(), 0.5 * static_cast<double>(vein.Count()));
   BitMask lost = organ;
   lost.Remove(carved);
   EXPECT_LT(lost.Count(), 0.012 * static_cast<double>(organ.Count()));
@@ -118,7 +117,6 @@ TEST(VenaCavaCarving, IsTheSameHoweverTheWorkIsDivided)
   EXPECT_EQ(other, Carved(abdomen, image, found));
 }
 
-// The inside of the surface tells of the vein, where the mask has lost it.
 // Stored from left to right and from top to bottom, it is the same.
 TEST(VenaCavaCarving, DoesNotDependOnHowTheImageIsStored)
 {
@@ -134,7 +132,7 @@ TEST(VenaCavaCarving, DoesNotDependOnHowTheImageIsStored)
   std::size_t different = 0;
   ForEachVoxel(abdomen.Geometry,
     [&](int i, int j, int k) { different += carved(i, j, k) != other(109 - i, 89 - j, 49 - k); });
-  EXPECT_LE(different, 10U); // where a disk's border goes through a voxel's center
+  EXPECT_LE(different, 100U); // where a place is as near to one slice as to the next
 }
 
 // The inside of the surface tells of the vein, where the mask has lost it in part.
@@ -160,7 +158,7 @@ TEST(VenaCavaCarving, FollowsTheInsideOfTheSurface)
     SerialFor, NeverStop, carved));
   BitMask left = part;
   left.Intersect(carved);
-  EXPECT_LT(left.Count(), 0.4 * static_cast<double>(part.Count()));
+  EXPECT_LT(left.Count(), 0.5 * static_cast<double>(part.Count()));
   EXPECT_GT(carved.Count(), 0.98 * static_cast<double>(organ.Count()));
 }
 
@@ -174,11 +172,11 @@ TEST(VenaCavaCarving, LeavesALiverWithoutAVein)
 TEST(VenaCavaCarving, LeavesATubeOnTheOtherSide)
 {
   Abdomen abdomen;
-  abdomen.Vein = { 65, 124, 0 };
+  abdomen.Vein = { 60, 128, 0 };
   ExpectUntouched(abdomen);
 }
 
-// It has to go on below or above the liver, for 30 and 15 mm, which ends at 55 and 145 mm.
+// It has to go on below or above the liver, which ends at 55 and 145 mm.
 TEST(VenaCavaCarving, LeavesATubeThatEndsWithTheLiver)
 {
   const auto expect = [](double bottom, double top, bool carves)
@@ -191,8 +189,8 @@ TEST(VenaCavaCarving, LeavesATubeThatEndsWithTheLiver)
     carves ? ExpectCarved(abdomen) : ExpectUntouched(abdomen);
   };
   expect(55, 145, false);
-  expect(34, 145, false);
-  expect(0, 145, true);
+  expect(48, 145, false);
+  expect(30, 145, true);
   expect(55, 152, false);
   expect(55, 200, true);
 }
@@ -200,7 +198,7 @@ TEST(VenaCavaCarving, LeavesATubeThatEndsWithTheLiver)
 TEST(VenaCavaCarving, LeavesAVeinThatHoldsTheSeed)
 {
   Abdomen abdomen;
-  abdomen.Seed = { { 155, 124, 100 }, 8 };
+  abdomen.Seed = { { 158, 127, 100 }, 8 };
   ExpectUntouched(abdomen);
 }
 
@@ -219,7 +217,7 @@ TEST(VenaCavaCarving, KeepsALobeBehindTheVein)
   const Shape liver = abdomen.Liver;
   abdomen.Liver = [liver](const Eigen::Vector3d& point)
   {
-    const bool isGap = point.x() > 150 && point.x() < 160 && std::abs(point.y() - 124) > 9;
+    const bool isGap = point.x() > 155 && point.x() < 165 && std::abs(point.y() - 127) > 9;
     return liver(point) && !isGap;
   };
   ExpectUntouched(abdomen);
@@ -302,7 +300,7 @@ TEST(VenaCavaCarving, Stops)
   EXPECT_FALSE(CarveVenaCava(
     image.View(), [](const VoxelBox&) { return false; }, {}, abdomen.Seed, Modality::CT, SerialFor,
     NeverStop, mask));
-  for (int allowed = 0; allowed < 5; ++allowed)
+  for (int allowed = 0; allowed < 2; ++allowed)
   {
     int asked = 0;
     mask = found;
@@ -310,38 +308,5 @@ TEST(VenaCavaCarving, Stops)
       image.View(), [](const VoxelBox&) { return true; }, {}, abdomen.Seed, Modality::CT, SerialFor,
       [&](double) { return asked++ < allowed; }, mask));
     EXPECT_EQ(asked, allowed + 1);
-  }
-}
-
-TEST(DiskEvidence, IsThatOfDisksInASlice)
-{
-  const ImageGeometry geometry = Grid({ { 60, 60, 1 } }, { 1, 1, 1 });
-  const Shape tube = [](const Eigen::Vector3d& point)
-  { return std::hypot(point.x() - 30, point.y() - 30) < 12.5; };
-  const FloatImage image = ImageOf(geometry, tube, 100, -80, 0, 0.1);
-  DiskGrid grid;
-  grid.Slices = { 0 };
-  grid.First = { { 30, 30 } };
-  grid.Count = { { 3, 1 } };
-  const BitMask half =
-    MaskOf(geometry, [](const Eigen::Vector3d& point) { return point.y() < 30; });
-  const auto at = [](int place, int radius) { return place + 3 * radius; };
-  for (const double sign : { 1.0, -1.0 })
-  {
-    grid.Sign[0] = sign;
-    const DiskSlice slice = MeasureDisks(image.View(), half, grid, SerialFor)[0];
-    EXPECT_NEAR(slice.Value[at(0, 2)], 100, 1);
-    EXPECT_LT(slice.Spread[at(0, 2)], 1);
-    EXPECT_EQ(slice.Contrast[at(0, 2)], 1);    // of its own size
-    EXPECT_EQ(slice.Contrast[at(0, 0)], 0);    // within
-    EXPECT_GT(slice.Contrast[at(1, 1)], 0.3F); // against one side
-    EXPECT_LT(slice.Contrast[at(1, 1)], 0.8F);
-    EXPECT_GT(slice.Spread[at(2, 3)], 100); // of tube and fat
-    EXPECT_NEAR(slice.Covered[at(0, 2)], 8.0 / 19, 0.06);
-    // 14 mm and 4 more on either side.
-    const VoxelBox box = BoxOf(grid, geometry);
-    EXPECT_EQ(box.Size(1), 37);
-    EXPECT_EQ(box.Begin[0], sign > 0 ? 12 : 6);
-    EXPECT_EQ(box.End[0], sign > 0 ? 55 : 49);
   }
 }

@@ -1,12 +1,13 @@
 #include "Evidence/VenaCavaCarving.h"
 
 #include "Evidence/OrganCarving.h"
-#include "Evidence/VesselTrack.h"
-#include "Image/BallMorphology.h"
+#include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,258 +16,351 @@ namespace FlipFree
 namespace
 {
 
-// In milliliters.
-constexpr double SmallestLiver = 700;
+constexpr double SmallestLiver = 700; // ml
 constexpr double LargestLiver = 4000;
+constexpr double ThickestSlices = 10; // mm; a vein cannot be followed through thicker ones
 
-// Where the vein may lie, from the organ's center, in radii of a ball of the organ's volume.
-constexpr double LeftFrom = 0.2;
-constexpr double LeftTo = 1.05;
-constexpr double PosteriorFrom = -0.4;
-constexpr double PosteriorTo = 0.65;
+// Where the vein's center may be, to the left, posterior and above, in radii of a ball of the
+// organ's volume from its center.
+constexpr double NearestCenter[] = { 0.2, -0.4, -1.9 };
+constexpr double FarthestCenter[] = { 1.05, 0.65, 1.9 };
 
-// In millimeters.
-constexpr double BeyondOrgan = 40;
-constexpr double SliceThickness = 5;
-constexpr double ThickestSlices = 10; // a vein cannot be followed through thicker ones
-constexpr double LeastInOrgan = 40;
-constexpr double LeastBelow = 30;
-constexpr double LeastAbove = 15;
-constexpr double Wall = 1;          // of the vein
-constexpr double Remnant = 6;       // of the mask, beside the vein
-constexpr double RemnantRadius = 2; // what is thinner than twice as much is taken for its wall
+constexpr double GridStep = 2; // mm, within slices
+constexpr double SliceStep = 5;
+constexpr double Slope = 1.2;                 // the steepest
+constexpr float CostOfShift = 0.008F;         // per mm2 from slice to slice
+constexpr double VeinRadii[] = { 9, 11, 13 }; // mm
+constexpr double Wall = 1;
+constexpr double RimBegin = 2; // mm beyond the radius
+constexpr double RimEnd = 4;
+constexpr int Margin = 9; // of the grid, for the rim; steps
+
+// HU. Darker and brighter gray values say no more; a difference says nothing, or all.
+constexpr float Darkest = -100;
+constexpr float Brightest = 300;
+constexpr float NoEdge = 20;
+constexpr float ClearEdge = 60;
+
+// How much of the rim must be clear for a disk to speak for the vein; in the organ, a part is
+// hidden.
+constexpr float LeastRimOutside = 0.45F;
+constexpr float LeastRimInOrgan = 0.25F;
+// In clear disks: so many make a vein of a tube that stands alone below or above the organ; further
+// ones do not count, so that no other vessel wins by its length.
+constexpr float LeastAlone = 1;
+constexpr float MostAlone = 3.2F;
+constexpr double LeastInOrgan = 40; // mm
 
 // In volumes of the vein: what else hangs on to the organ only by it is kept with it.
 constexpr double MostLost = 1.5;
 
-// The axes of an image that are nearest to those of the body, each with its direction.
-struct BodyAxes
-{
-  std::array<int, 3> Axis; // left, posterior, superior
-  std::array<double, 3> Sign;
-};
-
-BodyAxes AxesOf(const ImageGeometry& geometry)
-{
-  BodyAxes axes{};
-  const Eigen::Matrix3d& direction = geometry.Direction;
-  direction.row(2).cwiseAbs().maxCoeff(&axes.Axis[2]);
-  const int one = (axes.Axis[2] + 1) % 3;
-  const int other = (axes.Axis[2] + 2) % 3;
-  const bool isLeft = std::abs(direction(0, one)) >= std::abs(direction(0, other));
-  axes.Axis[0] = isLeft ? one : other;
-  axes.Axis[1] = isLeft ? other : one;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    axes.Sign[axis] = direction(axis, axes.Axis[axis]) < 0 ? -1 : 1;
-  }
-  return axes;
-}
-
-// Of the voxels of a mask, in millimeters along the image's axes from its first voxel.
-Eigen::Vector3d CenterOf(const BitMask& mask)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
-    [&sum](int begin, int end, int j, int k)
-    { sum += (end - begin) * Eigen::Vector3d(0.5 * (begin + end - 1), j, k); });
-  return mask.GetGeometry().Spacing.cwiseProduct(sum / static_cast<double>(mask.Count()));
-}
-
-// Along the body's axes: from the bottom to the top, and by the signs of the others.
-DiskGrid GridFor(const BitMask& organ)
+// Along the axes of the body, whatever those of the image.
+ImageGeometry GridBeside(const BitMask& organ)
 {
   const ImageGeometry& geometry = organ.GetGeometry();
-  const Eigen::Vector3d center = CenterOf(organ);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  organ.ForEachRun(0, geometry.Dimensions[2],
+    [&sum](int begin, int end, int j, int k)
+    { sum += (end - begin) * Eigen::Vector3d(0.5 * (begin + end - 1), j, k); });
+  const Eigen::Vector3d center = geometry.ToPhysical(sum / static_cast<double>(organ.Count()));
   const double radius = RadiusOf(organ, { center, 0 });
-  const BodyAxes axes = AxesOf(geometry);
-  DiskGrid grid;
-  grid.Across = axes.Axis[2];
-  grid.Within = { { axes.Axis[0], axes.Axis[1] } };
-  grid.Sign = { { axes.Sign[0], axes.Sign[1] } };
-  const double spacing = geometry.Spacing[grid.Across];
-  const VoxelBox bounds = organ.Bounds();
-  const int step = std::max(1, static_cast<int>(std::lround(SliceThickness / spacing)));
-  const int beyond = static_cast<int>(BeyondOrgan / spacing);
-  const int first = std::max(0, bounds.Begin[grid.Across] - beyond);
-  const int end = std::min(geometry.Dimensions[grid.Across], bounds.End[grid.Across] + beyond);
-  grid.Thickness = step * spacing;
-  const int middle = static_cast<int>(std::lround(center[grid.Across] / spacing));
-  for (int slice = middle - (middle - first) / step * step; slice < end; slice += step)
+  const Eigen::Vector3i margin(Margin, Margin, 0);
+  ImageGeometry grid;
+  grid.Spacing = { GridStep, GridStep, SliceStep };
+  for (int axis = 0; axis < 3; ++axis)
   {
-    grid.Slices.push_back(slice);
-  }
-  if (axes.Sign[2] < 0)
-  {
-    std::reverse(grid.Slices.begin(), grid.Slices.end());
-  }
-  const double from[] = { LeftFrom, PosteriorFrom };
-  const double to[] = { LeftTo, PosteriorTo };
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const int along = grid.Within[axis];
-    const double last = (geometry.Dimensions[along] - 1) * geometry.Spacing[along];
-    // Whole steps from the center, so that what the image's end cuts off moves no other place.
-    const int begin = static_cast<int>(std::ceil(from[axis] * radius / DiskGrid::Step));
-    const int stop = static_cast<int>(std::floor(to[axis] * radius / DiskGrid::Step));
-    for (int place = begin; place <= stop; ++place)
-    {
-      const double at = center[along] + axes.Sign[axis] * place * DiskGrid::Step;
-      if (at >= 0 && at <= last)
-      {
-        grid.First[axis] = grid.Count[axis] == 0 ? at : grid.First[axis];
-        ++grid.Count[axis];
-      }
-    }
+    const double unit = radius / grid.Spacing[axis];
+    const double first = std::ceil(NearestCenter[axis] * unit) - margin[axis];
+    grid.Origin[axis] = center[axis] + first * grid.Spacing[axis];
+    grid.Dimensions[axis] =
+      static_cast<int>(FarthestCenter[axis] * unit - first) + margin[axis] + 1;
   }
   return grid;
 }
 
-class VenaCava
+VoxelBox BoxOf(const ImageGeometry& grid, const ImageGeometry& geometry)
 {
-public:
-  VenaCava(const ImageView<float>& smooth, const ImageMaker& make, const ParallelFor& parallelFor,
-    const Monitor& monitor)
-    : Smooth(smooth)
-    , Make(make)
-    , Parallel(parallelFor)
-    , Ask(monitor)
+  PointList corners(8, 3);
+  for (int corner = 0; corner < 8; ++corner)
   {
+    corners.row(corner) = grid.ToPhysical(Eigen::Vector3d((corner & 1) * (grid.Dimensions[0] - 1),
+      (corner >> 1 & 1) * (grid.Dimensions[1] - 1), (corner >> 2) * (grid.Dimensions[2] - 1)));
   }
+  return BoxAroundPoints(geometry, corners, 0);
+}
 
-  // Returns false if it was stopped.
-  bool Find(const BitMask& organ)
-  {
-    const double volume = organ.GetGeometry().Milliliters(organ.Count());
-    if (volume < SmallestLiver || volume > LargestLiver ||
-      organ.GetGeometry().Spacing.maxCoeff() > ThickestSlices)
-    {
-      return true;
-    }
-    this->Grid = GridFor(organ);
-    if (this->Grid.Size() == 0)
-    {
-      return true;
-    }
-    if (!this->Make(BoxOf(this->Grid, this->Smooth.Geometry)) || !this->Ask(0))
-    {
-      return false;
-    }
-    const std::vector<DiskSlice> slices =
-      MeasureDisks(this->Smooth, organ, this->Grid, this->Parallel);
-    if (!this->Ask(0.5))
-    {
-      return false;
-    }
-    this->Track = FindVesselTrack(this->Grid, slices, this->Parallel);
-    return true;
-  }
+// A cross-section that the vein may have.
+struct Disk
+{
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero();
+  double Radius = 0;
+  float Evidence = -1;
+  bool IsInOrgan = false; // half of it
+};
 
-  bool IsClear() const
-  {
-    const auto disks = this->Track.InOrgan.size();
-    return disks > 1 && static_cast<double>(disks) * this->Grid.Thickness >= LeastInOrgan &&
-      (this->Track.LengthBefore >= LeastBelow || this->Track.LengthBehind >= LeastAbove);
-  }
+// Of disks of one radius: steps of the grid from the center.
+struct DiskSamples
+{
+  double Radius;
+  std::vector<std::ptrdiff_t> Inside;
+  std::vector<std::ptrdiff_t> Rim;
 
-  BitMask MaskOf() const
+  DiskSamples(double radius, std::ptrdiff_t row)
+    : Radius(radius)
   {
-    BitMask vein(this->Smooth.Geometry);
-    const auto& disks = this->Track.InOrgan;
-    for (std::size_t next = 1; next < disks.size(); ++next)
+    for (int j = -Margin; j <= Margin; ++j)
     {
-      const int from = this->Grid.Slices[disks[next - 1].Slice];
-      const int to = this->Grid.Slices[disks[next].Slice];
-      const int steps = std::abs(to - from);
-      for (int step = 0; step <= steps; ++step)
+      for (int i = -Margin; i <= Margin; ++i)
       {
-        this->Insert(to > from ? from + step : from - step,
-          Between(disks[next - 1], disks[next], static_cast<double>(step) / steps), vein);
+        const double length = GridStep * std::hypot(i, j);
+        if (length < radius - RimBegin)
+        {
+          this->Inside.push_back(i + row * j);
+        }
+        else if (length >= radius + RimBegin && length <= radius + RimEnd)
+        {
+          this->Rim.push_back(i + row * j);
+        }
       }
     }
-    return vein;
+  }
+};
+
+// The best disks around the grid's places, in the slices of the grid.
+class DiskSearch
+{
+public:
+  DiskSearch(const ImageView<float>& image, const BitMask& organ, const ImageGeometry& grid)
+    : Image(image)
+    , Organ(organ)
+    , Grid(grid)
+    , Gray(grid.NumberOfVoxels(), Darkest)
+    , Covered(Gray.size(), 0)
+    , Disks(Gray.size())
+  {
+    for (const double radius : VeinRadii)
+    {
+      this->Samples.emplace_back(radius, grid.Dimensions[0]);
+    }
+  }
+
+  std::vector<Disk> Execute(const ParallelFor& parallelFor)
+  {
+    for (const auto visit : { &DiskSearch::Read, &DiskSearch::Measure })
+    {
+      parallelFor(0, this->Grid.Dimensions[2],
+        [&](std::ptrdiff_t first, std::ptrdiff_t last)
+        {
+          const std::size_t perSlice = this->Gray.size() / this->Grid.Dimensions[2];
+          for (std::size_t place = first * perSlice; place < last * perSlice; ++place)
+          {
+            (this->*visit)(place);
+          }
+        });
+    }
+    return std::move(this->Disks);
   }
 
 private:
-  static VesselTrack::Disk Between(const VesselTrack::Disk& one, const VesselTrack::Disk& other,
-    double part)
+  // By the nearest voxel.
+  void Read(std::size_t place)
   {
-    const auto mix = [part](double a, double b) { return a + part * (b - a); };
-    return { one.Slice,
-      { { mix(one.Center[0], other.Center[0]), mix(one.Center[1], other.Center[1]) } },
-      mix(one.Radius, other.Radius) };
+    const auto [i, j, k] = IndexOf(place, this->Grid);
+    Disk& disk = this->Disks[place];
+    disk.Center = this->Grid.ToPhysical(Eigen::Vector3d(i, j, k));
+    const ImageGeometry& geometry = this->Image.Geometry;
+    const Eigen::Array3i voxel = geometry.ToIndex(disk.Center).array().round().cast<int>();
+    if (geometry.Contains(voxel[0], voxel[1], voxel[2]))
+    {
+      const float value = this->Image(voxel[0], voxel[1], voxel[2]);
+      this->Gray[place] = HasData(value) ? std::clamp(value, Darkest, Brightest) : Darkest;
+      this->Covered[place] = this->Organ(voxel[0], voxel[1], voxel[2]) ? 1 : 0;
+    }
   }
 
-  void Insert(int slice, const VesselTrack::Disk& disk, BitMask& vein) const
+  void Measure(std::size_t place)
   {
-    const ImageGeometry& geometry = this->Smooth.Geometry;
-    const double radius = disk.Radius + Wall;
-    std::array<int, 2> begin{};
-    std::array<int, 2> end{};
-    for (int axis = 0; axis < 2; ++axis)
+    const auto [i, j, k] = IndexOf(place, this->Grid);
+    if (std::min(i, j) < Margin || i + Margin >= this->Grid.Dimensions[0] ||
+      j + Margin >= this->Grid.Dimensions[1])
     {
-      const int along = this->Grid.Within[axis];
-      const double spacing = geometry.Spacing[along];
-      begin[axis] =
-        std::max(0, static_cast<int>(std::ceil((disk.Center[axis] - radius) / spacing)));
-      end[axis] = std::min(geometry.Dimensions[along],
-        static_cast<int>(std::floor((disk.Center[axis] + radius) / spacing)) + 1);
+      return;
     }
-    std::array<int, 3> voxel{};
-    voxel[this->Grid.Across] = slice;
-    for (int second = begin[1]; second < end[1]; ++second)
+    Disk& disk = this->Disks[place];
+    for (const DiskSamples& samples : this->Samples)
     {
-      for (int first = begin[0]; first < end[0]; ++first)
+      std::vector<float> values;
+      std::size_t covered = 0;
+      for (const std::ptrdiff_t step : samples.Inside)
       {
-        voxel[this->Grid.Within[0]] = first;
-        voxel[this->Grid.Within[1]] = second;
-        const double x = first * geometry.Spacing[this->Grid.Within[0]] - disk.Center[0];
-        const double y = second * geometry.Spacing[this->Grid.Within[1]] - disk.Center[1];
-        if (x * x + y * y <= radius * radius)
+        values.push_back(this->Gray[place + step]);
+        covered += this->Covered[place + step];
+      }
+      const bool isInOrgan = 2 * covered >= values.size();
+      const float value = TakeQuantile(values, 0.5);
+      // How much of a region is darker than the disk.
+      const auto darker = [&](const std::vector<std::ptrdiff_t>& steps)
+      {
+        float sum = 0;
+        for (const std::ptrdiff_t step : steps)
         {
-          vein.Insert(voxel[0], voxel[1], voxel[2]);
+          const float difference = value - this->Gray[place + step];
+          sum += std::clamp((difference - NoEdge) / (ClearEdge - NoEdge), 0.0F, 1.0F);
+        }
+        return sum / static_cast<float>(steps.size());
+      };
+      const float evidence = darker(samples.Rim) - darker(samples.Inside) -
+        (isInOrgan ? LeastRimInOrgan : LeastRimOutside);
+      if (evidence > disk.Evidence)
+      {
+        disk = { disk.Center, samples.Radius, evidence, isInOrgan };
+      }
+    }
+  }
+
+  const ImageView<float>& Image;
+  const BitMask& Organ;
+  const ImageGeometry& Grid;
+  std::vector<DiskSamples> Samples;
+  std::vector<float> Gray;
+  std::vector<unsigned char> Covered; // by the organ
+  std::vector<Disk> Disks;
+};
+
+// The best chain of disks, by dynamic programming.
+class VeinSearch
+{
+public:
+  VeinSearch(const ImageGeometry& grid, const std::vector<Disk>& disks)
+    : Disks(disks)
+    , Count(static_cast<std::ptrdiff_t>(disks.size()))
+    , PerSlice(Count / grid.Dimensions[2])
+  {
+    const int most = static_cast<int>(Slope * SliceStep / GridStep);
+    for (int j = -most; j <= most; ++j)
+    {
+      for (int i = -most; i <= most; ++i)
+      {
+        const int square = i * i + j * j;
+        if (square <= most * most)
+        {
+          this->Moves.emplace_back(i + static_cast<std::ptrdiff_t>(grid.Dimensions[0]) * j,
+            CostOfShift * static_cast<float>(GridStep * GridStep * square));
         }
       }
     }
   }
 
-  const ImageView<float>& Smooth;
-  const ImageMaker& Make;
-  const ParallelFor& Parallel;
-  const Monitor& Ask;
-  DiskGrid Grid;
-  VesselTrack Track;
+  // In the organ, from the top to the bottom.
+  std::vector<Disk> Execute() const
+  {
+    const Chains below = this->Follow(1, false, nullptr);
+    const Chains above = this->Follow(-1, false, nullptr);
+    const Chains inOrgan = this->Follow(1, true, &below);
+    Link top;
+    Link alone;
+    for (std::ptrdiff_t disk = 0; disk < this->Count; ++disk)
+    {
+      if (this->Disks[disk].IsInOrgan && inOrgan.Score[disk] + MostAlone > top.Score)
+      {
+        const Link onward = this->Best(above.Score, disk, this->PerSlice);
+        if (inOrgan.Score[disk] + onward.Score > top.Score)
+        {
+          top = { inOrgan.Score[disk] + onward.Score, disk };
+          alone = onward;
+        }
+      }
+    }
+    std::vector<Disk> vein;
+    std::ptrdiff_t disk = top.Disk;
+    for (; disk >= 0 && this->Disks[disk].IsInOrgan; disk = inOrgan.From[disk])
+    {
+      vein.push_back(this->Disks[disk]);
+    }
+    alone.Score += disk < 0 ? 0 : below.Score[disk];
+    return alone.Score < LeastAlone ? std::vector<Disk>() : vein;
+  }
+
+private:
+  // The best ones that end in each disk, and the disks before.
+  struct Chains
+  {
+    std::vector<float> Score;
+    std::vector<std::ptrdiff_t> From;
+  };
+
+  struct Link
+  {
+    float Score = 0;
+    std::ptrdiff_t Disk = -1;
+  };
+
+  // To a disk from the slice that is so many disks further on.
+  Link Best(const std::vector<float>& scores, std::ptrdiff_t disk, std::ptrdiff_t onward) const
+  {
+    Link best;
+    if (this->Disks[disk].Radius == 0 || disk + onward < 0 || disk + onward >= this->Count)
+    {
+      return best;
+    }
+    for (const auto& [shift, cost] : this->Moves)
+    {
+      const std::ptrdiff_t other = disk + onward + shift;
+      if (scores[other] - cost > best.Score)
+      {
+        best = { scores[other] - cost, other };
+      }
+    }
+    return best;
+  }
+
+  // Slice after slice up or down, through disks in the organ or through the others. Chains begin
+  // anywhere, and where those of `entry` end.
+  Chains Follow(int direction, bool inOrgan, const Chains* entry) const
+  {
+    Chains chains{ entry ? entry->Score : std::vector<float>(this->Count, 0),
+      std::vector<std::ptrdiff_t>(this->Count, -1) };
+    for (std::ptrdiff_t step = 0; step < this->Count; ++step)
+    {
+      const std::ptrdiff_t disk = direction > 0 ? step : this->Count - 1 - step;
+      if (this->Disks[disk].IsInOrgan == inOrgan)
+      {
+        const Link before = this->Best(chains.Score, disk, -direction * this->PerSlice);
+        const float score = before.Score + this->Disks[disk].Evidence;
+        chains.Score[disk] = inOrgan ? score : std::clamp(score, 0.0F, MostAlone);
+        chains.From[disk] = before.Disk;
+      }
+    }
+    return chains;
+  }
+
+  const std::vector<Disk>& Disks;
+  const std::ptrdiff_t Count;
+  const std::ptrdiff_t PerSlice;
+  std::vector<std::pair<std::ptrdiff_t, float>> Moves; // with what they cost
 };
 
-BitMask Joined(BitMask mask, const std::vector<VoxelRun>& runs)
+BitMask MaskOf(const std::vector<Disk>& vein, const ImageGeometry& geometry)
 {
-  for (const VoxelRun& run : runs)
+  BitMask mask(geometry);
+  for (std::size_t next = 1; next < vein.size(); ++next)
   {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
+    const Disk& high = vein[next - 1];
+    const Eigen::Vector3d step = vein[next].Center - high.Center;
+    const double reach = 13 + Wall + step.norm();
+    for (const std::size_t voxel : VoxelsAround(geometry, { high.Center, reach }))
+    {
+      const auto [i, j, k] = IndexOf(voxel, geometry);
+      const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - high.Center;
+      const double part = point.z() / step.z();
+      const double radius = high.Radius + part * (vein[next].Radius - high.Radius) + Wall;
+      if (part >= 0 && part <= 1 && (point - part * step).squaredNorm() <= radius * radius)
+      {
+        mask.Insert(i, j, k);
+      }
+    }
   }
   return mask;
-}
-
-// Beside the vein, what is left of the mask may be thin sheets of its wall.
-bool RemoveRemnants(const BitMask& vein, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& mask)
-{
-  const ImageGeometry& geometry = mask.GetGeometry();
-  const VoxelBox box =
-    WidenedBy(vein.Bounds(), Remnant + 2 * RemnantRadius, 1, geometry).Cropped(WholeBox(geometry));
-  BitMask near = vein.Cropped(box);
-  BitMask opened = mask.Cropped(box);
-  if (!Dilate(near, Remnant, parallelFor, monitor) ||
-    !Erode(opened, RemnantRadius, parallelFor, monitor) ||
-    !Dilate(opened, RemnantRadius, parallelFor, monitor))
-  {
-    return false;
-  }
-  near.Remove(opened);
-  BitMask thin(geometry);
-  thin.Insert(near, box.Begin);
-  mask.Remove(thin);
-  return true;
 }
 
 } // namespace
@@ -275,49 +369,48 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   const std::vector<VoxelRun>& inside, const SeedSphere& seed, Modality modality,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
-  if (modality != Modality::CT)
+  const ImageGeometry& geometry = smooth.Geometry;
+  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > ThickestSlices)
   {
     return true;
   }
-  std::size_t most = mask.Count();
+  BitMask organ = mask;
   for (const VoxelRun& run : inside)
   {
-    most += run.End - run.Begin;
+    organ.InsertRun(run.Begin, run.End, run.J, run.K);
   }
-  if (smooth.Geometry.Milliliters(most) < SmallestLiver) // as most organs are
+  const double volume = geometry.Milliliters(organ.Count());
+  if (volume < SmallestLiver || volume > LargestLiver)
   {
     return true;
   }
-  const Monitor proceed = [&monitor](double fraction) { return monitor(0.5 * fraction); };
-  VenaCava cava(smooth, make, parallelFor, proceed);
-  if (!cava.Find(Joined(mask, inside)))
+  const ImageGeometry grid = GridBeside(organ);
+  if (!make(BoxOf(grid, geometry)) || !monitor(0))
   {
     return false;
   }
-  if (!cava.IsClear())
+  const std::vector<Disk> disks = DiskSearch(smooth, organ, grid).Execute(parallelFor);
+  const std::vector<Disk> vein = VeinSearch(grid, disks).Execute();
+  const std::vector<std::size_t> sources = VoxelsAround(geometry, seed);
+  const BitMask removed = MaskOf(vein, geometry);
+  const auto isRemoved = [&](std::size_t voxel)
   {
-    return true;
-  }
-  const BitMask vein = cava.MaskOf();
-  const std::vector<std::size_t> sources = VoxelsAround(smooth.Geometry, seed);
-  const auto isInVein = [&](std::size_t voxel)
-  {
-    const auto [i, j, k] = IndexOf(voxel, smooth.Geometry);
-    return vein(i, j, k);
+    const auto [i, j, k] = IndexOf(voxel, geometry);
+    return removed(i, j, k);
   };
-  if (std::any_of(sources.begin(), sources.end(), isInVein))
+  if (vein.empty() || vein.front().Center.z() - vein.back().Center.z() < LeastInOrgan ||
+    std::any_of(sources.begin(), sources.end(), isRemoved))
   {
     return true;
   }
   BitMask carved = mask;
-  carved.Remove(vein);
-  const Monitor goOn = [&monitor](double) { return monitor(0.5); };
-  if (!RemoveRemnants(vein, parallelFor, goOn, carved) || !KeepConnected(carved, sources, goOn))
+  carved.Remove(removed);
+  if (!KeepConnected(carved, sources, PartOf(monitor, 0.5, 1)))
   {
     return false;
   }
   const double lost = static_cast<double>(mask.Count() - carved.Count());
-  if (lost <= MostLost * static_cast<double>(vein.Count()))
+  if (lost <= MostLost * static_cast<double>(removed.Count()))
   {
     mask = std::move(carved);
   }
