@@ -4,10 +4,14 @@
 //
 //   MeasureCases [--data DIR] [--cases FILE] [--only TEXT] [--preset default|published|naive]
 //                [--seeds N | --fill] [--surfaces DIR] [--threads N] [--set Name=value ...]
+//                [--gate FILE] [--write-gate FILE]
 //
 // With --seeds N each row is run from N random seeds in the organ, at least their radius away from
 // its border, and the spread of the Dice score is printed. With --fill the surface fills the
-// reference itself, in place of a foreground found in the image: how well a mesh can hold it.
+// reference itself, in place of a foreground found in the image: how well a mesh can hold it. With
+// --gate, results are compared with a table of earlier ones (AccuracyGate.h), and the exit code is
+// 1 where too much is lost. --cases may be given more than once.
+#include "AccuracyGate.h"
 #include "CaseList.h"
 #include "SegmentationRun.h"
 #include "Statistics.h"
@@ -37,6 +41,8 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace
@@ -45,10 +51,12 @@ namespace
 struct Options
 {
   std::string Data = DefaultDataFolder();
-  std::string Cases = "cases.csv"; ///< in that folder
+  std::vector<std::string> Cases{ "cases.csv" }; ///< in that folder
   std::string Only;
   std::string Preset = "default";
   std::string Surfaces;
+  std::string Gate;
+  std::string WriteGate;
   int Seeds = 0;
   bool Fill = false;
   int Threads = 0;
@@ -125,6 +133,7 @@ struct RowResult
 {
   double Dice = 0;
   double Offset = 0; // mm
+  std::string Hash;
 };
 
 // From the seed of the row: one line of the table.
@@ -180,7 +189,7 @@ RowResult MeasureRow(const Case& row, const Options& options)
     writer->SetFileName((options.Surfaces + "/" + row.Name + ".vtp").c_str());
     writer->Write();
   }
-  return { metrics->GetDice(), offset };
+  return { metrics->GetDice(), offset, HashOf(filter->GetSurface()) };
 }
 
 void MeasureSeeds(const Case& row, const Options& options)
@@ -222,13 +231,15 @@ int main(int argc, char* argv[])
   Options options;
   CLI::App app("Measures the segmentation over the rows of a list of cases.");
   app.add_option("--data", options.Data, "folder with volumes and lists")->capture_default_str();
-  app.add_option("--cases", options.Cases, "list of cases in that folder")->capture_default_str();
+  app.add_option("--cases", options.Cases, "lists of cases in that folder")->capture_default_str();
   app.add_option("--only", options.Only, "rows whose name contains this text");
   app.add_option("--preset", options.Preset, "default, published, or naive")
     ->check(CLI::IsMember({ "default", "published", "naive" }));
   app.add_option("--seeds", options.Seeds, "random seeds per row in place of the row's own");
   app.add_flag("--fill", options.Fill, "fill the reference label in place of a segmentation");
   app.add_option("--surfaces", options.Surfaces, "folder that takes the surfaces");
+  app.add_option("--gate", options.Gate, "table of earlier results to compare with");
+  app.add_option("--write-gate", options.WriteGate, "file that takes such a table");
   app.add_option("--threads", options.Threads, "number of threads");
   app.add_option("--set", options.Parameters, "Name=value of a parameter, as its setter is called");
   CLI11_PARSE(app, argc, argv);
@@ -247,12 +258,18 @@ int main(int argc, char* argv[])
   }
   std::map<std::string, std::vector<double>> scores;
   std::map<std::string, std::vector<double>> offsets;
-  const std::vector<Case> cases = ReadCases(options.Data + "/" + options.Cases);
-  if (cases.empty())
+  std::vector<GateRow> gate;
+  std::vector<Case> cases;
+  for (const std::string& list : options.Cases)
   {
-    std::fprintf(stderr, "MeasureCases: there is no case in %s/%s\n", options.Data.c_str(),
-      options.Cases.c_str());
-    return 1;
+    const std::vector<Case> rows = ReadCases(options.Data + "/" + list);
+    if (rows.empty())
+    {
+      std::fprintf(stderr, "MeasureCases: there is no case in %s/%s\n", options.Data.c_str(),
+        list.c_str());
+      return 1;
+    }
+    cases.insert(cases.end(), rows.begin(), rows.end());
   }
   for (const Case& row : cases)
   {
@@ -269,6 +286,7 @@ int main(int argc, char* argv[])
       const RowResult result = MeasureRow(row, options);
       scores[row.Organ].push_back(result.Dice);
       offsets[row.Organ].push_back(result.Offset);
+      gate.push_back({ row.Name, row.Organ, result.Dice, result.Hash });
     }
   }
   for (const auto& organ : scores)
@@ -280,5 +298,17 @@ int main(int argc, char* argv[])
   globular.insert(globular.end(), scores["spleen"].begin(), scores["spleen"].end());
   std::printf("median Dice, liver and spleen: %.3f\n", Median(globular));
   std::printf("peak memory: %.0f MB\n", PeakMemory() / 1e6);
-  return 0;
+  try
+  {
+    if (!options.WriteGate.empty())
+    {
+      WriteGate(options.WriteGate, gate);
+    }
+    return options.Gate.empty() || PassesGate(ReadGate(options.Gate), gate) ? 0 : 1;
+  }
+  catch (const std::runtime_error& error)
+  {
+    std::fprintf(stderr, "MeasureCases: %s\n", error.what());
+    return 1;
+  }
 }

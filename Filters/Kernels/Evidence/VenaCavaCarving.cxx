@@ -347,7 +347,7 @@ BitMask MaskOf(const std::vector<Disk>& vein, const ImageGeometry& geometry)
   {
     const Disk& high = vein[next - 1];
     const Eigen::Vector3d step = vein[next].Center - high.Center;
-    const double reach = 13 + Wall + step.norm();
+    const double reach = std::max(high.Radius, vein[next].Radius) + Wall + step.norm();
     for (const std::size_t voxel : VoxelsAround(geometry, { high.Center, reach }))
     {
       const auto [i, j, k] = IndexOf(voxel, geometry);
