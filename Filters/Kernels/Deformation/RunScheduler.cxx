@@ -1,4 +1,4 @@
-#include "Deformation/UnconstrainedCorrection.h"
+#include "Deformation/RunScheduler.h"
 
 #include "Deformation/JointDeformation.h"
 #include "Error.h"
@@ -46,7 +46,7 @@ std::optional<bool> UnlessUnreachable(const Call& call)
 // The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
 // so such parts change in a run of all levels. Kept while further constraints leave them as they
 // are.
-struct UnconstrainedCorrection::DeepChange
+struct RunScheduler::DeepChange
 {
   BitMask Voxels;
   ConstraintList Constraints; ///< in the voxels
@@ -73,28 +73,27 @@ RunInputs RunInputs::Part(double first, double last) const
     PartOf(this->Proceed, first, last), this->Observer };
 }
 
-UnconstrainedCorrection::UnconstrainedCorrection(DeformingOrgan& organ,
-  const ParallelFor& parallelFor)
+RunScheduler::RunScheduler(DeformingOrgan& organ, const ParallelFor& parallelFor)
   : Organ(organ)
   , Parallel(parallelFor)
 {
 }
 
-UnconstrainedCorrection::~UnconstrainedCorrection() = default;
+RunScheduler::~RunScheduler() = default;
 
-void UnconstrainedCorrection::Forget()
+void RunScheduler::Forget()
 {
   this->Surface = {};
   this->Deep.reset();
 }
 
-void UnconstrainedCorrection::Begin(OutsidePoints outside, const RunInputs& inputs)
+void RunScheduler::Begin(OutsidePoints outside, const RunInputs& inputs)
 {
   this->Organ.BeginAt(inputs.Start, inputs.FirstLevel, inputs.Constraints, outside,
     inputs.Observer);
 }
 
-bool UnconstrainedCorrection::RunAllLevels(const RunInputs& inputs)
+bool RunScheduler::RunAllLevels(const RunInputs& inputs)
 {
   const BitMask& foreground = this->Organ.GetForeground().GetMask();
   std::optional<UnchangedPlaces> places;
@@ -118,8 +117,8 @@ bool UnconstrainedCorrection::RunAllLevels(const RunInputs& inputs)
   return done ? *done : run(OutsidePoints::FromTheStart);
 }
 
-bool UnconstrainedCorrection::RunLastLevelFrom(const DeformableSurface& from,
-  const UnchangedPlaces& unchanged, const RunInputs& inputs)
+bool RunScheduler::RunLastLevelFrom(const DeformableSurface& from, const UnchangedPlaces& unchanged,
+  const RunInputs& inputs)
 {
   this->Organ.BeginAt(from, inputs.FirstLevel, inputs.Constraints, OutsidePoints::AroundThem,
     inputs.Observer);
@@ -127,7 +126,7 @@ bool UnconstrainedCorrection::RunLastLevelFrom(const DeformableSurface& from,
   return JointDeformation({ &this->Organ }, {}, this->Parallel).RunLastLevel(inputs.Proceed);
 }
 
-bool UnconstrainedCorrection::RunDeepChange(const RunInputs& inputs, DeepChange& change)
+bool RunScheduler::RunDeepChange(const RunInputs& inputs, DeepChange& change)
 {
   const RunInputs ofChange = inputs.With(change.Constraints);
   OrganSurface& surface = this->Organ.GetSurface();
@@ -143,7 +142,7 @@ bool UnconstrainedCorrection::RunDeepChange(const RunInputs& inputs, DeepChange&
   return true;
 }
 
-bool UnconstrainedCorrection::Correct(const BitMask& corrected, const RunInputs& inputs)
+bool RunScheduler::Correct(const BitMask& corrected, const RunInputs& inputs)
 {
   // Refuses outside points in the start.
   this->Begin(OutsidePoints::InTheLastLevel, inputs);
@@ -181,7 +180,7 @@ bool UnconstrainedCorrection::Correct(const BitMask& corrected, const RunInputs&
     inputs.Part(0.8, 1));
 }
 
-bool UnconstrainedCorrection::Run(const RunInputs& inputs)
+bool RunScheduler::Run(const RunInputs& inputs)
 {
   if (inputs.Constraints.empty() || !this->HasSurface())
   {

@@ -3,8 +3,8 @@
  * known, constraints correct it only where they have changed the foreground, so that no constraint
  * moves the surface elsewhere.
  */
-#ifndef FlipFreeUnconstrainedCorrection_h
-#define FlipFreeUnconstrainedCorrection_h
+#ifndef FlipFreeRunScheduler_h
+#define FlipFreeRunScheduler_h
 
 #include "Deformation/DeformingOrgan.h"
 
@@ -31,15 +31,15 @@ struct RunInputs
   RunInputs Part(double first, double last) const;
 };
 
-class UnconstrainedCorrection
+class RunScheduler
 {
 public:
   /// Both must outlive the object.
-  UnconstrainedCorrection(DeformingOrgan& organ, const ParallelFor& parallelFor);
-  ~UnconstrainedCorrection();
+  RunScheduler(DeformingOrgan& organ, const ParallelFor& parallelFor);
+  ~RunScheduler();
   // Neither copied nor moved: the organ refers to what is kept here.
-  UnconstrainedCorrection(const UnconstrainedCorrection&) = delete;
-  UnconstrainedCorrection& operator=(const UnconstrainedCorrection&) = delete;
+  RunScheduler(const RunScheduler&) = delete;
+  RunScheduler& operator=(const RunScheduler&) = delete;
 
   /// What Run() gives without constraints.
   void SetSurface(DeformableSurface surface) { this->Surface = std::move(surface); }
