@@ -50,10 +50,9 @@ DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSph
 {
 }
 
-void DeformingOrgan::ResetForNextRun()
+void DeformingOrgan::ReleaseSurface(double seconds)
 {
-  const double seconds = this->Surface.FeatureSeconds;
-  this->Reset();
+  this->Surface = {};
   this->Surface.FeatureSeconds = seconds;
 }
 

@@ -36,10 +36,9 @@ public:
   /// What errors of a run name the organ by, in front; none by default.
   void SetName(const std::string& name) { this->Name = name; }
 
-  /// Forgets the surface, not the evidence; another call's seconds begin at 0.
-  void Reset() { this->Surface = {}; }
-  /// The same for a further run of the same call, which adds to its seconds.
-  void ResetForNextRun();
+  /// Frees the surface, not the evidence, for another run; `seconds` is what earlier runs of the
+  /// same call took to find the evidence.
+  void ReleaseSurface(double seconds = 0);
 
   // The evidence. Functions that may take long return false if the monitor stopped them.
 

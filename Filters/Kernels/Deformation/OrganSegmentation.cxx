@@ -58,7 +58,7 @@ void OrganSegmenter::SetForeground(BitMask mask)
   this->Kept->HasUncorrected = true;
   this->Kept->IsGiven = true;
   this->Kept->Previewed.reset();
-  this->Kept->Scheduler.Forget();
+  this->Kept->Scheduler.Release();
 }
 
 DeformingOrgan& OrganSegmenter::GetOrgan()
@@ -107,7 +107,7 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
     return false;
   }
   this->KeepUnconstrained();
-  kept.Organ.ResetForNextRun();
+  kept.Organ.ReleaseSurface(kept.Organ.GetSurface().FeatureSeconds);
   return true;
 }
 
@@ -123,7 +123,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  kept.Organ.Reset();
+  kept.Organ.ReleaseSurface();
   if (!this->RunsTwice() && !kept.IsGiven)
   {
     return kept.Organ.FindForegroundOfSeed(monitor) &&

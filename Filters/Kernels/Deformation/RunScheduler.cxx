@@ -81,7 +81,7 @@ RunScheduler::RunScheduler(DeformingOrgan& organ, const ParallelFor& parallelFor
 
 RunScheduler::~RunScheduler() = default;
 
-void RunScheduler::Forget()
+void RunScheduler::Release()
 {
   this->Surface = {};
   this->Deep.reset();

@@ -44,8 +44,8 @@ public:
   /// What Run() gives without constraints.
   void SetSurface(DeformableSurface surface) { this->Surface = std::move(surface); }
   bool HasSurface() const { return this->Surface.Points.rows() > 0; }
-  /// The surface, and what is kept of earlier runs.
-  void Forget();
+  /// Frees the surface, and what is kept of earlier runs.
+  void Release();
 
   /// Runs the organ, whose foreground the constraints have corrected, to the result. Returns false
   /// if the monitor stopped it. Throws Error where a constraint cannot be obeyed.
