@@ -102,7 +102,6 @@ VolumeSegmenter& OrganSession::Prepare(const SeedSphere& seed, bool fills,
   this->Release(); // before another one takes memory
   RequireNumbers(settings);
   RequireVoxels(this->Volume.Geometry, this->Name);
-  RequireSeed(this->Volume.Geometry, seed, this->Name);
   std::optional<DeformableSurface> start;
   if (this->Start)
   {
