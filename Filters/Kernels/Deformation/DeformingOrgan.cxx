@@ -13,8 +13,8 @@ namespace FlipFree
 namespace
 {
 
-// A surface that still finds new parts of the boundary is not at rest, even where its mean distance
-// to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
+// A surface that still finds new parts of the boundary has not converged, even where its mean
+// distance to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
 constexpr double Growth = 0.01;
 
 /// Adds to a sum how long a block takes, wherever the block is left.
@@ -211,7 +211,7 @@ bool DeformingOrgan::SnapsToEdges() const
 
 PointList DeformingOrgan::FindMotion()
 {
-  if (this->IsAtRest())
+  if (this->HasLevelEnded())
   {
     return PointList::Zero(this->Surface.Points.rows(), 3);
   }
@@ -245,7 +245,7 @@ PointList DeformingOrgan::FindMotion()
   return motion;
 }
 
-// Vertices that stay would hide that others are not at rest.
+// Vertices that stay would hide that others have not converged.
 double DeformingOrgan::MeanDistanceOfMobile() const
 {
   double sum = 0;
@@ -288,7 +288,7 @@ StopReason DeformingOrgan::ReasonToEndLevel() const
     return StopReason::NoBoundaryFound;
   }
   const StopReason reason = this->Settings.Schedule.ReasonToStop(this->Distances, this->Voxel);
-  return reason == StopReason::AtRest && this->IsGrowing() ? StopReason::NotRun : reason;
+  return reason == StopReason::Converged && this->IsGrowing() ? StopReason::NotRun : reason;
 }
 
 void DeformingOrgan::Replace(ContourMesh mesh, PointList points)

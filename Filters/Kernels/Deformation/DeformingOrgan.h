@@ -72,12 +72,13 @@ public:
   /// The run that has begun moves nothing in unchanged places.
   void StayIn(const UnchangedPlaces& places);
   void BeginLevel(int level);
-  /// The motion that the next iteration wants; none where the level is at rest.
+  /// The motion that the next iteration wants; none where the level has ended.
   PointList FindMotion();
-  /// Ends the iteration with the vertices where the guard let them go. Not where at rest.
+  /// Ends the iteration with the vertices where the guard let them go. Not where the level has
+  /// ended.
   void Move(PointList points, int guarded, double guardSeconds);
   /// Whether the level has ended for this organ, after the latest iteration; see the reason.
-  bool IsAtRest() const { return this->Surface.Reason != StopReason::NotRun; }
+  bool HasLevelEnded() const { return this->Surface.Reason != StopReason::NotRun; }
   void SetReason(StopReason reason) { this->Surface.Reason = reason; }
   void Replace(ContourMesh mesh, PointList points);
 

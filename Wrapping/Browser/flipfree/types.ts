@@ -130,7 +130,7 @@ export interface Segmentation {
   comments: string[];
   /** The voxels inside as runs of four numbers: j, k, the first i, and one past the last i. */
   runs: Int32Array;
-  /** Why the iterations ended, such as "at rest". */
+  /** Why the iterations ended, such as "converged". */
   stopReason: string;
   /** Pairs of faces that intersect for some cut of the quads; 0 wherever the guard is on. */
   selfIntersections: number;
