@@ -42,7 +42,7 @@ namespace
 
 vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
 {
-  JudgeVtp(name);
+  ValidateVtp(name);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(name.c_str());
   Run(reader, "reading");
@@ -306,7 +306,7 @@ void WriteLines(const std::string& name, vtkPolyData* lines)
   try
   {
     WriteBy<vtkXMLPolyDataWriter>(name, lines);
-    JudgeVtp(name);
+    ValidateVtp(name);
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(name.c_str());
     Run(reader, "reading");

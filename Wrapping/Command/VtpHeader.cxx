@@ -82,7 +82,7 @@ public:
     this->IsBigEndian = Attribute(tag, "byte_order") == "BigEndian";
   }
 
-  void Judge() const
+  void Validate() const
   {
     std::size_t at = 0;
     const std::string appended = NextTag(this->Bytes, "AppendedData", at);
@@ -102,14 +102,14 @@ public:
     }
     for (const char* const kind : { "DataArray", "Array" }) // of numbers, of texts
     {
-      this->JudgeArrays(kind, begin, isRaw);
+      this->ValidateArrays(kind, begin, isRaw);
     }
   }
 
 private:
   [[noreturn]] static void Refuse() { throw Failure("it cannot hold as much as its header says"); }
 
-  void JudgeArrays(const std::string& kind, std::size_t begin, bool isRaw) const
+  void ValidateArrays(const std::string& kind, std::size_t begin, bool isRaw) const
   {
     std::size_t at = 0;
     for (std::string tag = NextTag(this->Bytes, kind, at); !tag.empty();
@@ -121,7 +121,7 @@ private:
       const std::string place = Attribute(tag, "offset");
       if (place.empty() && Attribute(tag, "format") == "binary")
       {
-        this->JudgeArray(at, false);
+        this->ValidateArray(at, false);
       }
       else if (!place.empty())
       {
@@ -131,7 +131,7 @@ private:
         {
           Refuse();
         }
-        this->JudgeArray(begin + 1 + static_cast<std::size_t>(offset), isRaw);
+        this->ValidateArray(begin + 1 + static_cast<std::size_t>(offset), isRaw);
       }
     }
   }
@@ -148,7 +148,7 @@ private:
 
   /// The numbers before an array: its bytes; or, packed, the number of blocks, the bytes of each
   /// but the last, those of the last if it is smaller, and those of each when packed.
-  void JudgeArray(std::size_t at, bool isRaw) const
+  void ValidateArray(std::size_t at, bool isRaw) const
   {
     const auto room = static_cast<double>(this->Bytes.size() - std::min(at, this->Bytes.size()));
     const std::size_t leading = this->IsPacked ? 3 : 1;
@@ -219,9 +219,9 @@ private:
 
 } // namespace
 
-void JudgeVtp(const std::string& name)
+void ValidateVtp(const std::string& name)
 {
-  VtpFile(name).Judge();
+  VtpFile(name).Validate();
 }
 
 } // namespace Command

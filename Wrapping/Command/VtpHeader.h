@@ -1,5 +1,5 @@
 /**
- * Judges the numbers by which VTK's reader of VTP files finds its arrays, since it trusts them: it
+ * Checks the numbers by which VTK's reader of VTP files finds its arrays, since it trusts them: it
  * asks for any amount of memory, and reads beyond its own.
  */
 #ifndef FlipFreeCommandVtpHeader_h
@@ -11,7 +11,7 @@ namespace Command
 {
 
 /// Throws a Failure where the file cannot hold what it says.
-void JudgeVtp(const std::string& name);
+void ValidateVtp(const std::string& name);
 
 } // namespace Command
 
