@@ -101,7 +101,8 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   this->Foreground.Clear(); // smoothing needs the memory
   CarvedForegroundInputs inputs;
   inputs.Smooth = this->Foreground.GetImage();
-  inputs.MakeSmooth = [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); };
+  inputs.EnsureSmoothed = [&](const VoxelBox& box)
+  { return this->Foreground.Smooth(box, monitor); };
   inputs.Points = &this->Surface.Points;
   inputs.Triangles = &this->Surface.Mesh.Triangles;
   inputs.Seed = this->Seed;
@@ -132,7 +133,7 @@ bool DeformingOrgan::FindOthers(const CarvedForegroundInputs& inputs,
 {
   this->Others.clear();
   return carved.Opinions.empty() ||
-    (inputs.MakeSmooth(ConsensusBox(carved.Mask, inputs.Seed)) &&
+    (inputs.EnsureSmoothed(ConsensusBox(carved.Mask, inputs.Seed)) &&
       FindOtherParts(inputs.Smooth, inputs.Seed, inputs.Noise, inputs.Settings, this->OfSeed,
         carved.Mask, carved.Opinions, this->Parallel, monitor, this->Others));
 }
