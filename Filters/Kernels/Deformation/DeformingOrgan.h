@@ -12,7 +12,7 @@
 #include "Deformation/UnchangedPlaces.h"
 #include "Evidence/OtherParts.h"
 #include "Evidence/TissueGrowth.h"
-#include "Intensity/GrowingForeground.h"
+#include "Intensity/OrganForeground.h"
 
 #include <memory>
 #include <optional>
@@ -55,7 +55,7 @@ public:
   void SettleForeground(BitMask mask);
   /// Whether later levels keep the foreground as it is.
   bool IsSettled() const { return this->Settled; }
-  GrowingForeground& GetForeground() { return this->Foreground; }
+  OrganForeground& GetForeground() { return this->Foreground; }
 
   // The surface.
 
@@ -117,7 +117,7 @@ private:
   const OrganSegmentationSettings Settings;
   const ParallelFor& Parallel;
   const double Voxel; // the greatest spacing
-  GrowingForeground Foreground;
+  OrganForeground Foreground;
   TissueGrowth NewTissue;
   IntensityModel OfSeed;
   IntensityModel Model;          // refitted

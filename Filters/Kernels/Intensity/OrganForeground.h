@@ -3,8 +3,8 @@
  * until the foreground keeps away from its sides. The voxels are those that smoothing the whole
  * image would give.
  */
-#ifndef FlipFreeGrowingForeground_h
-#define FlipFreeGrowingForeground_h
+#ifndef FlipFreeOrganForeground_h
+#define FlipFreeOrganForeground_h
 
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
@@ -14,16 +14,16 @@
 namespace FlipFree
 {
 
-class GrowingForeground
+class OrganForeground
 {
 public:
   /// The arguments must outlive the object. `rim` is how far around the foreground, in millimeters,
   /// the smoothed image will be read. Without leak control, the foreground is not connected to the
   /// seed, so the whole region is smoothed.
-  GrowingForeground(SmoothRegion& region, const SeedSphere& seed,
+  OrganForeground(SmoothRegion& region, const SeedSphere& seed,
     const OrganFeatureSettings& settings, double rim, const ParallelFor& parallelFor);
-  GrowingForeground(const GrowingForeground&) = delete;
-  GrowingForeground& operator=(const GrowingForeground&) = delete;
+  OrganForeground(const OrganForeground&) = delete;
+  OrganForeground& operator=(const OrganForeground&) = delete;
 
   // Each of these returns false if the monitor stopped it.
 

@@ -1,4 +1,4 @@
-#include "Intensity/GrowingForeground.h"
+#include "Intensity/OrganForeground.h"
 
 #include "Stopwatch.h"
 
@@ -30,7 +30,7 @@ std::array<int, 3> MarginOf(const ImageGeometry& geometry, const LeakControlRadi
 
 } // namespace
 
-GrowingForeground::GrowingForeground(SmoothRegion& region, const SeedSphere& seed,
+OrganForeground::OrganForeground(SmoothRegion& region, const SeedSphere& seed,
   const OrganFeatureSettings& settings, double rim, const ParallelFor& parallelFor)
   : Region(region)
   , Geometry(region.View().Geometry)
@@ -43,7 +43,7 @@ GrowingForeground::GrowingForeground(SmoothRegion& region, const SeedSphere& see
 {
 }
 
-bool GrowingForeground::Smooth(const VoxelBox& box, const Monitor& monitor)
+bool OrganForeground::Smooth(const VoxelBox& box, const Monitor& monitor)
 {
   Stopwatch watch;
   const bool made = this->Region.Make(box, monitor);
@@ -51,7 +51,7 @@ bool GrowingForeground::Smooth(const VoxelBox& box, const Monitor& monitor)
   return made;
 }
 
-bool GrowingForeground::SmoothAroundSeed(const Monitor& monitor)
+bool OrganForeground::SmoothAroundSeed(const Monitor& monitor)
 {
   return this->Smooth(this->Settings.ControlLeaks
       ? this->BoundsOfBalls(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
@@ -60,19 +60,19 @@ bool GrowingForeground::SmoothAroundSeed(const Monitor& monitor)
     monitor);
 }
 
-bool GrowingForeground::SmoothAround(const PointList& points, double reach, const Monitor& monitor)
+bool OrganForeground::SmoothAround(const PointList& points, double reach, const Monitor& monitor)
 {
   return this->Smooth(this->BoundsOfBalls(points, reach, { { 2, 2, 2 } }), monitor);
 }
 
-VoxelBox GrowingForeground::BoundsOfBalls(const PointList& points, double reach,
+VoxelBox OrganForeground::BoundsOfBalls(const PointList& points, double reach,
   const std::array<int, 3>& margin) const
 {
   return BoxAroundPoints(this->Geometry, points, reach).Widened(margin, this->Whole);
 }
 
 // At first all that has been smoothed; later where the foreground was before, and the seed.
-VoxelBox GrowingForeground::FirstSearched() const
+VoxelBox OrganForeground::FirstSearched() const
 {
   const VoxelBox made = this->Region.GetMade();
   if (this->Bounds.IsEmpty())
@@ -90,7 +90,7 @@ VoxelBox GrowingForeground::FirstSearched() const
 }
 
 // Widens the box on the sides that the foreground has come near.
-VoxelBox GrowingForeground::Grown(const VoxelBox& searched) const
+VoxelBox OrganForeground::Grown(const VoxelBox& searched) const
 {
   VoxelBox box = searched;
   for (int axis = 0; axis < 3 && !this->Bounds.IsEmpty(); ++axis)
@@ -110,7 +110,7 @@ VoxelBox GrowingForeground::Grown(const VoxelBox& searched) const
   return box;
 }
 
-bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monitor)
+bool OrganForeground::Update(const IntensityModel& model, const Monitor& monitor)
 {
   if (!this->Settings.ControlLeaks)
   {
@@ -137,12 +137,12 @@ bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monit
   return false;
 }
 
-Modality GrowingForeground::GetModality() const
+Modality OrganForeground::GetModality() const
 {
   return ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
 }
 
-void GrowingForeground::SetMask(BitMask mask)
+void OrganForeground::SetMask(BitMask mask)
 {
   this->Mask = std::move(mask);
   this->Bounds = this->Mask.Bounds();
