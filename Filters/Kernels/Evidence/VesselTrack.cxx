@@ -1,6 +1,6 @@
 #include "Evidence/VesselTrack.h"
 
-#include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
