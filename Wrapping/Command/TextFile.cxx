@@ -3,7 +3,7 @@
 #include "Failure.h"
 #include "UnreadableFile.h"
 
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <filesystem>
 #include <fstream>

@@ -13,6 +13,9 @@ namespace FlipFree
 /// Letters from A to Z made small.
 std::string InSmallLetters(std::string text);
 
+/// The first letter made small: distanceTolerance.
+std::string WithSmallFirst(std::string text);
+
 /// Without white space at both ends.
 std::string Trimmed(const std::string& text);
 

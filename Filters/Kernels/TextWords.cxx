@@ -1,4 +1,4 @@
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,11 @@ std::size_t Utf8LengthAt(const std::string& text, std::size_t at)
 }
 
 } // namespace
+
+std::string WithSmallFirst(std::string text)
+{
+  return InSmallLetters(text.substr(0, 1)) + text.substr(std::min<std::size_t>(1, text.size()));
+}
 
 std::string InSmallLetters(std::string text)
 {
