@@ -194,6 +194,11 @@ export interface Vessel extends Segmentation {
   confidence: number;
 }
 
+/** Whether an organ was found, not a vessel. */
+export function isOrgan(result: Organ | Vessel): result is Organ {
+  return "vertexConfidence" in result;
+}
+
 export interface Scores {
   dice: number;
   jaccard: number;
