@@ -1,22 +1,21 @@
-#include "VtpHeader.h"
+#include "Exchange/VtpHeader.h"
 
-#include "Failure.h"
+#include "Exchange/CheckedPolygons.h"
+#include "Exchange/FileProblem.h"
+#include "Exchange/PolygonFile.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
-namespace Command
+namespace FlipFree
 {
 namespace
 {
 
 /// The value of an attribute of a tag, or an empty text.
-std::string Attribute(const std::string& tag, const std::string& name)
+std::string XmlAttribute(const std::string& tag, const std::string& name)
 {
   for (std::size_t at = tag.find(name); at != std::string::npos; at = tag.find(name, at + 1))
   {
@@ -31,7 +30,7 @@ std::string Attribute(const std::string& tag, const std::string& name)
 }
 
 /// The next tag with this name, with its brackets; moves `at` past it.
-std::string NextTag(const std::string& bytes, const std::string& name, std::size_t& at)
+std::string NextXmlTag(const std::string& bytes, const std::string& name, std::size_t& at)
 {
   const std::size_t begin = bytes.find("<" + name, at);
   if (begin == std::string::npos)
@@ -44,7 +43,7 @@ std::string NextTag(const std::string& bytes, const std::string& name, std::size
 }
 
 /// The bytes encoded in base64 at a place, no more than `most` of them.
-std::string FromBase64(const std::string& bytes, std::size_t at, std::size_t most)
+std::string BytesOfBase64(const std::string& bytes, std::size_t at, std::size_t most)
 {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string plain;
@@ -71,33 +70,32 @@ std::string FromBase64(const std::string& bytes, std::size_t at, std::size_t mos
 class VtpFile
 {
 public:
-  explicit VtpFile(const std::string& name)
+  explicit VtpFile(const std::string& bytes)
+    : Bytes(bytes)
   {
-    std::ifstream file(name, std::ios::binary);
-    this->Bytes.assign(std::istreambuf_iterator<char>(file), {});
     std::size_t at = 0;
-    const std::string tag = NextTag(this->Bytes, "VTKFile", at);
-    this->IsPacked = !Attribute(tag, "compressor").empty();
-    this->WordSize = Attribute(tag, "header_type") == "UInt64" ? 8 : 4;
-    this->IsBigEndian = Attribute(tag, "byte_order") == "BigEndian";
+    const std::string tag = NextXmlTag(this->Bytes, "VTKFile", at);
+    this->IsPacked = !XmlAttribute(tag, "compressor").empty();
+    this->WordSize = XmlAttribute(tag, "header_type") == "UInt64" ? 8 : 4;
+    this->IsBigEndian = XmlAttribute(tag, "byte_order") == "BigEndian";
   }
 
   void Validate() const
   {
     std::size_t at = 0;
-    const std::string appended = NextTag(this->Bytes, "AppendedData", at);
-    const bool isRaw = Attribute(appended, "encoding") == "raw";
+    const std::string appended = NextXmlTag(this->Bytes, "AppendedData", at);
+    const bool isRaw = XmlAttribute(appended, "encoding") == "raw";
     // Behind a mark. Where others stand before it, VTK's reader looks for it elsewhere.
     std::size_t begin = this->Bytes.find_first_not_of(" \t\r\n", at);
     begin = begin != std::string::npos && this->Bytes[begin] == '_' ? begin : std::string::npos;
     at = 0;
-    for (std::string tag = NextTag(this->Bytes, "Piece", at); !tag.empty();
-         tag = NextTag(this->Bytes, "Piece", at))
+    for (std::string tag = NextXmlTag(this->Bytes, "Piece", at); !tag.empty();
+         tag = NextXmlTag(this->Bytes, "Piece", at))
     {
       for (const char* const what : { "Points", "Verts", "Lines", "Strips", "Polys" })
       {
         this->RequireRoom(
-          std::strtod(Attribute(tag, std::string("NumberOf") + what).c_str(), nullptr));
+          std::strtod(XmlAttribute(tag, std::string("NumberOf") + what).c_str(), nullptr));
       }
     }
     for (const char* const kind : { "DataArray", "Array" }) // of numbers, of texts
@@ -107,19 +105,19 @@ public:
   }
 
 private:
-  [[noreturn]] static void Refuse() { throw Failure("it cannot hold as much as its header says"); }
+  [[noreturn]] static void Refuse() { RefusePolygons("it cannot hold as much as its header says"); }
 
   void ValidateArrays(const std::string& kind, std::size_t begin, bool isRaw) const
   {
     std::size_t at = 0;
-    for (std::string tag = NextTag(this->Bytes, kind, at); !tag.empty();
-         tag = NextTag(this->Bytes, kind, at))
+    for (std::string tag = NextXmlTag(this->Bytes, kind, at); !tag.empty();
+         tag = NextXmlTag(this->Bytes, kind, at))
     {
-      this->RequireRoom(std::strtod(Attribute(tag, "NumberOfComponents").c_str(), nullptr));
-      this->RequireRoom(std::strtod(Attribute(tag, "NumberOfTuples").c_str(), nullptr));
+      this->RequireRoom(std::strtod(XmlAttribute(tag, "NumberOfComponents").c_str(), nullptr));
+      this->RequireRoom(std::strtod(XmlAttribute(tag, "NumberOfTuples").c_str(), nullptr));
       // VTK's reader goes by the offset, whatever the format is.
-      const std::string place = Attribute(tag, "offset");
-      if (place.empty() && Attribute(tag, "format") == "binary")
+      const std::string place = XmlAttribute(tag, "offset");
+      if (place.empty() && XmlAttribute(tag, "format") == "binary")
       {
         this->ValidateArray(at, false);
       }
@@ -190,7 +188,7 @@ private:
   {
     const std::size_t size = count * static_cast<std::size_t>(this->WordSize);
     std::string words = isRaw ? this->Bytes.substr(std::min(at, this->Bytes.size()), size)
-                              : FromBase64(this->Bytes, at, size);
+                              : BytesOfBase64(this->Bytes, at, size);
     if (words.size() < size)
     {
       Refuse();
@@ -211,7 +209,7 @@ private:
     return value;
   }
 
-  std::string Bytes;
+  const std::string& Bytes;
   bool IsPacked = false;
   bool IsBigEndian = false;
   int WordSize = 4;
@@ -219,9 +217,16 @@ private:
 
 } // namespace
 
-void ValidateVtp(const std::string& name)
+void ValidateVtp(const std::string& name, const std::string& bytes)
 {
-  VtpFile(name).Validate();
+  try
+  {
+    VtpFile(bytes).Validate();
+  }
+  catch (const FileProblem& fault)
+  {
+    throw FileProblem(FileProblem::Kind::Unusable, DamagedSurface(name, fault.what()));
+  }
 }
 
-} // namespace Command
+} // namespace FlipFree
