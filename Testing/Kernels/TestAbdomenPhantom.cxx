@@ -176,6 +176,7 @@ TEST(AbdomenAnatomy, SeedsLieAsDeepAsTheyClaim)
   const Volume& volume = DefaultVolume();
   const Phantom phantom = MakeAbdomenPhantom(GridExtent(volume.Grid));
   EXPECT_EQ(phantom.Seeds.size(), 11u);
+  EXPECT_STREQ(NameOf(AbdomenLabel::RightKidney), "right kidney");
   for (const PhantomSeed& seed : phantom.Seeds)
   {
     double depth = 1000;

@@ -68,7 +68,7 @@ interface KernelPhantom {
   spacing: Float64Array;
   origin: Float64Array;
   direction: Float64Array;
-  seeds: { label: number; center: Float64Array; radius: number }[];
+  seeds: { name: string; label: number; center: Float64Array; radius: number }[];
 }
 
 /** The module that emscripten makes of Kernels/. */
@@ -265,7 +265,7 @@ export class Engine {
       image: { ...grid, voxels: made.voxels },
       labelMap: { ...grid, voxels: made.labels },
       seeds: made.seeds.map(
-        ({ label, center, radius }): PhantomSeed => ({ label, center: triple(center), radius }),
+        ({ name, label, center, radius }): PhantomSeed => ({ name, label, center: triple(center), radius }),
       ),
     };
   }

@@ -218,6 +218,8 @@ export interface Scores {
 }
 
 export interface PhantomSeed extends Seed {
+  /** Of the organ, such as "right kidney". */
+  name: string;
   label: number;
 }
 
