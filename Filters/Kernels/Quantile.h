@@ -26,8 +26,7 @@ T TakePlace(std::vector<T>& values, std::size_t place)
 template <typename T>
 T TakeQuantile(std::vector<T>& values, double part)
 {
-  return TakePlace(values,
-    static_cast<std::size_t>(part * static_cast<double>(values.size() - 1)));
+  return TakePlace(values, static_cast<std::size_t>(part * static_cast<double>(values.size() - 1)));
 }
 
 /// The median, of an even number of values the upper one; as TakeQuantile().
