@@ -63,7 +63,7 @@ Growth::Growth(vtkImageData* image, const std::array<double, 3>& seed, double ra
   this->Surface = this->Start;
 }
 
-bool Growth::IsAtRest() const
+bool Growth::HasConverged() const
 {
   return this->Level == 2 * Levels - 1 && this->IsLevelDone();
 }

@@ -27,7 +27,7 @@ public:
   bool Step();
 
   /// Has the last level ended?
-  bool IsAtRest() const;
+  bool HasConverged() const;
 
   /// After the last iteration. The object stays as it is when the surface goes on.
   vtkPolyData* GetSurface() const { return this->Surface; }

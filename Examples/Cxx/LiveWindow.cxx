@@ -6,7 +6,7 @@
  *
  * Drag the sphere with the left button, size it with the right one; when it is let go, the surface
  * grows from it. Drag beside it to turn the view; q ends. With --picture, the program plays the
- * user itself: it drags the sphere with the mouse, waits until the surface is at rest, and ends.
+ * user itself: it drags the sphere with the mouse, waits until the surface has converged, and ends.
  */
 #include "Display.h"
 #include "Growth.h"
@@ -49,7 +49,7 @@ public:
   vtkRenderer* GetSpace() { return this->Views.GetSpace(); }
   vtkSphereRepresentation* GetSphere() { return this->Sphere; }
   vtkPolyData* GetSurface() { return this->Surface; }
-  bool IsGrowing() const { return this->Growing && !this->Growing->IsAtRest(); }
+  bool IsGrowing() const { return this->Growing && !this->Growing->HasConverged(); }
 
 private:
   void PlaceSphere(const Inputs& inputs);

@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces{ growth.GetSurface() };
   std::cout << "iteration  level  vertices  mean distance, mm  flipping  guarded\n"
             << std::fixed << std::setprecision(2);
-  while (!growth.IsAtRest())
+  while (!growth.HasConverged())
   {
     if (!growth.Step())
     {

@@ -26,7 +26,7 @@ class Iteration:
 
 
 class Growth:
-    """A surface that grows from a seed sphere, by step() after step(), until it is at rest."""
+    """A surface that grows from a seed sphere, by step() after step(), until it has converged."""
 
     def __init__(self, image, seed, radius):
         self.voxel = max(image.GetSpacing())
@@ -61,7 +61,7 @@ class Growth:
         sphere.Update()
         self.surface = self.start = sphere.GetOutput()
 
-    def is_at_rest(self):
+    def has_converged(self):
         """Has the last level ended?"""
         return self.level == 2 * LEVELS - 1 and self._is_level_done()
 

@@ -5,7 +5,7 @@
 
 Drag the sphere with the left button, size it with the right one; when it is let go, the surface
 grows from it. Drag beside it to turn the view; q ends. With --picture, the surface grows from the
-seed without anybody at the mouse, and the window is saved once it is at rest.
+seed without anybody at the mouse, and the window is saved once it has converged.
 """
 
 import flipfree
@@ -82,7 +82,7 @@ class LiveWindow:
 
     def step(self):
         """One iteration, each time the timer rings."""
-        if self.growth is None or self.growth.is_at_rest():
+        if self.growth is None or self.growth.has_converged():
             return
         try:
             done = self.growth.step()
@@ -111,7 +111,7 @@ class LiveWindow:
     def grow(self):
         """All iterations, one behind the other."""
         self.begin()
-        while self.growth is not None and not self.growth.is_at_rest():
+        while self.growth is not None and not self.growth.has_converged():
             self.step()
 
 

@@ -3,6 +3,10 @@
     python3 paper_figures.py figures                  # phantoms
     python3 paper_figures.py figures --data FOLDER    # real volumes where the folder has them
     python3 paper_figures.py figures --only 3 --only 4
+    python3 paper_figures.py figures --methods build/dev/bin/RunMethod
+
+With `--methods`, Figure 5 also shows what the methods find that FlipFree is compared with. They are no part of the
+package: the program is built in the source folder, with the tests or the benchmarks.
 
 The folder has a table cases.csv with the columns organ, role, image, labels, label_id, seed_x,
 seed_y, seed_z and radius_mm, and the volumes that it names. Figure 5 takes the first liver of it;
@@ -12,6 +16,8 @@ Figure 6 the first spleen, and the first row of the role `tubular`.
 import argparse
 import csv
 import functools
+import subprocess
+import tempfile
 import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -27,6 +33,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkRenderer
@@ -431,16 +438,17 @@ def method_view(case, plane, truth, surface, caption):
                     [("the reference", scene.BLUE), (caption, scene.YELLOW)], truth, 1.25)
 
 
-def baseline(case, name, **parameters):
-    """What one of the methods finds that FlipFree is compared with."""
-    method = getattr(flipfree, name)()
-    method.SetInputData(case.image)
-    method.SetSeedCenter(case.seed)
-    method.SetSeedRadius(case.radius)
-    for key, value in parameters.items():
-        getattr(method, f"Set{key}")(value)
-    flipfree.update(method)
-    return method
+def found_by(program, method, case):
+    """Surface and label map that one of the methods finds that FlipFree is compared with."""
+    with tempfile.TemporaryDirectory() as folder:
+        image, surface, labels = (str(Path(folder, name)) for name in ("image.mha", "surface.vtp", "labels.mha"))
+        flipfree.write_image(case.image, image)
+        subprocess.run([program, method, image, "--seed", *map(str, case.seed), "--radius", str(case.radius),
+                        "--surface", surface, "--labels", labels], stdout=subprocess.DEVNULL, check=True)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(surface)
+        reader.Update()
+        return reader.GetOutput(), flipfree.read_image(labels)
 
 
 def in_seed_slice(case, labels):
@@ -454,7 +462,7 @@ def in_seed_slice(case, labels):
 
 
 def figure_5(path, folder):
-    """A liver: the seed, FlipFree by defaults and as published, and the methods of the paper."""
+    """A liver: the seed, FlipFree by defaults and as published, and the methods of the paper, if they are at hand."""
     case = liver(folder)
     truth = truth_of(case)
     seed = quad_sphere(16, case.seed, case.radius)
@@ -471,19 +479,22 @@ def figure_5(path, folder):
                                  f"{letter}  FlipFree, {name}: Dice {scores.dice:.2f}"))
         surfaces.append(scene.space_view(
             [defect_actor(organ.surface)],
-            f"{'gh'[len(surfaces)]}  {name}: {organ.self_intersections} self-intersections",
+            f"{('gh' if figure_5.methods else 'de')[len(surfaces)]}  {name}: {organ.self_intersections} self-intersections",
             zoom=1.1, bounds=None if surfaces else truth.GetBounds()))
-    for letter, name, title in (("d", "vtkLevelSetSegmentation", "level set"),
-                                ("e", "vtkGraphCutSegmentation", "graph cut"),
-                                ("f", "vtkGVFSnake", "GVF snake")):
-        method = baseline(case, name)
-        dice = (in_seed_slice(case, method.GetLabelMap()) if name == "vtkGVFSnake" else
-                flipfree.evaluate(method.GetLabelMap(), case.truth,
-                                  reference_label=case.label).dice)
+    for letter, method, title in (("d", "level-set-threshold", "level set"),
+                                  ("e", "graph-cut-slices", "graph cut"),
+                                  ("f", "gvf-snake", "GVF snake")) if figure_5.methods else ():
+        surface, labels = found_by(figure_5.methods, method, case)
+        dice = (in_seed_slice(case, labels) if method == "gvf-snake" else
+                flipfree.evaluate(labels, case.truth, reference_label=case.label).dice)
         print(f"{case.name}, {title}: Dice {dice:.3f}")
-        views.append(method_view(case, scene.AXIAL, truth, method.GetSurface(),
+        views.append(method_view(case, scene.AXIAL, truth, surface,
                                  f"{letter}  {title}: Dice {dice:.2f}"))
-    draw(path, [views[:4], [*views[4:], *surfaces]], size=400)
+    views += surfaces
+    draw(path, [views[:4], views[4:]], size=400)
+
+
+figure_5.methods = None
 
 
 def figure_6(path, folder):
@@ -521,9 +532,11 @@ def main():
     parser.add_argument("folder", type=Path, help="where the pictures go")
     parser.add_argument("--data", type=Path, help="folder with cases.csv and its volumes")
     parser.add_argument("--only", type=int, choices=FIGURES, action="append", help="a figure")
+    parser.add_argument("--methods", metavar="PROGRAM", help="RunMethod of a build folder, for Figure 5")
     parser.add_argument("--scale", type=float, default=1, help="size of the pictures, 0.5 to 2")
     arguments = parser.parse_args()
     draw.scale = arguments.scale
+    figure_5.methods = arguments.methods
     if arguments.data and not (arguments.data / "cases.csv").is_file():
         parser.error(f"there is no cases.csv in {arguments.data}")
     arguments.folder.mkdir(parents=True, exist_ok=True)

@@ -16,7 +16,7 @@ image, seed, radius = inputs.image_and_seed(arguments)
 growth = Growth(image, seed, radius)
 surfaces = [growth.surface]
 print("iteration  level  vertices  mean distance, mm  matched  flipping  guarded")
-while not growth.is_at_rest():
+while not growth.has_converged():
     done = growth.step()
     surfaces.append(growth.surface)
     print(f"{len(surfaces) - 1:9} {done.level:6} {growth.surface.GetNumberOfPoints():9} "

@@ -5,8 +5,8 @@
 #define FlipFreeJsonText_h
 
 #include "ParameterTable.h"
+#include "TextWords.h"
 
-#include <cctype>
 #include <cstddef>
 #include <cstdio>
 #include <locale>
@@ -89,10 +89,8 @@ std::string JsonOf(const ParameterTable<Settings>& table, const Settings& settin
   std::string object;
   for (const Parameter<Settings>& parameter : table)
   {
-    std::string name = parameter.Name;
-    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     const std::vector<double> values = parameter.Get(settings);
-    object += (object.empty() ? "" : ",") + JsonOf(name) + ":";
+    object += (object.empty() ? "" : ",") + JsonOf(WithSmallFirst(parameter.Name)) + ":";
     object += parameter.Count > 1                ? JsonOf(values.data(), values.size())
       : parameter.Type == ParameterType::Boolean ? (values.front() != 0 ? "true" : "false")
                                                  : JsonOf(values.front());

@@ -1,7 +1,8 @@
 #include "Suggestion.h"
 
+#include "TextWords.h"
+
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 namespace FlipFree
@@ -9,12 +10,7 @@ namespace FlipFree
 namespace
 {
 
-bool AreAlike(unsigned char one, unsigned char other)
-{
-  return std::tolower(one) == std::tolower(other);
-}
-
-/// Levenshtein's: how many letters to insert, remove or replace, whatever their case.
+/// Levenshtein's: how many letters to insert, remove or replace.
 std::size_t EditDistance(const std::string& one, const std::string& other)
 {
   std::vector<std::size_t> row(other.size() + 1);
@@ -24,7 +20,7 @@ std::size_t EditDistance(const std::string& one, const std::string& other)
     std::size_t diagonal = row[0]++;
     for (std::size_t j = 0; j < other.size(); ++j)
     {
-      const std::size_t replaced = diagonal + (AreAlike(letter, other[j]) ? 0 : 1);
+      const std::size_t replaced = diagonal + (letter == other[j] ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({ replaced, row[j] + 1, row[j + 1] + 1 });
     }
@@ -41,7 +37,7 @@ std::string Suggestion(const std::string& word, const std::vector<std::string>& 
   std::string nearest;
   for (const std::string& candidate : candidates)
   {
-    const std::size_t distance = EditDistance(word, candidate);
+    const std::size_t distance = EditDistance(InSmallLetters(word), InSmallLetters(candidate));
     if (distance < least)
     {
       least = distance;

@@ -10,7 +10,8 @@
 namespace FlipFree
 {
 
-/// ` Did you mean 'segment'?`, which follows a sentence; empty if no candidate is near.
+/// ` Did you mean 'segment'?`, which follows a sentence; empty if no candidate is near,
+/// whatever the letters' case.
 std::string Suggestion(const std::string& word, const std::vector<std::string>& candidates);
 
 } // namespace FlipFree

@@ -31,17 +31,17 @@ bool SegmentationInputs::operator==(const SegmentationInputs& other) const
 SegmentationState::SegmentationState(const SegmentationInputs& inputs)
   : Inputs(inputs)
   , Voxels(inputs.Image->GetPointData()->GetScalars())
-  , Runs(GrayVolumeOf(inputs.Image, InputImageName), InputImageName, SMPThreading())
+  , Session(GrayVolumeOf(inputs.Image, InputImageName), InputImageName, SMPThreading())
 {
   if (inputs.Labels)
   {
     const LabelVolume labels = LabelVolumeOf(inputs.Labels, "the start labels{ on port 3}");
-    this->Runs.FillLabel(labels, inputs.Label);
+    this->Session.FillLabel(labels, inputs.Label);
     this->Warning = WarningOfNoLabels(labels.Values(), inputs.Label, labels.Name, "is filled");
   }
   if (inputs.Start)
   {
-    this->Runs.StartFrom(GivenSurfaceOf(inputs.Start, "the start surface{ on port 1}"));
+    this->Session.StartFrom(GivenSurfaceOf(inputs.Start, "the start surface{ on port 1}"));
   }
 }
 

@@ -43,7 +43,7 @@ struct SegmentationState
 
   const SegmentationInputs Inputs;
   const vtkSmartPointer<vtkDataArray> Voxels;
-  OrganRuns Runs;
+  OrganSession Session;
   std::string Warning; ///< of the start labels; empty where there is nothing to say
 };
 

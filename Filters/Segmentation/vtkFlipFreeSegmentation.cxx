@@ -41,7 +41,7 @@ constexpr bool IsSame(vtkFlipFreeSegmentation::StopReasons one, FlipFree::StopRe
 static_assert(IsSame(vtkFlipFreeSegmentation::NOT_RUN, FlipFree::StopReason::NotRun) &&
     IsSame(vtkFlipFreeSegmentation::DISTANCE_BELOW_TOLERANCE,
       FlipFree::StopReason::DistanceBelowTolerance) &&
-    IsSame(vtkFlipFreeSegmentation::AT_REST, FlipFree::StopReason::AtRest) &&
+    IsSame(vtkFlipFreeSegmentation::CONVERGED, FlipFree::StopReason::Converged) &&
     IsSame(vtkFlipFreeSegmentation::ITERATION_LIMIT, FlipFree::StopReason::IterationLimit) &&
     IsSame(vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND, FlipFree::StopReason::NoBoundaryFound) &&
     IsSame(vtkFlipFreeSegmentation::NOT_REFINED, FlipFree::StopReason::NotRefined) &&

@@ -430,7 +430,7 @@ public:
   {
     NOT_RUN = 0,                  ///< no Update() yet, or the last one failed
     DISTANCE_BELOW_TOLERANCE = 1, ///< of the mean distance to the targets
-    AT_REST = 2,                  ///< the mean distance no longer falls
+    CONVERGED = 2,                ///< the mean distance no longer falls
     ITERATION_LIMIT = 3,
     NO_BOUNDARY_FOUND = 4, ///< by any vertex
     NOT_REFINED = 5, ///< the surface is that of a coarser level; its refinement intersects itself
@@ -440,8 +440,8 @@ public:
   ///@{
   /**
    * Why the last level ended, after Update(): one of StopReasons, or the same in words: "distance
-   * below tolerance", "at rest", "iteration limit", "no boundary found", "the coarse surface could
-   * not be refined", "aborted"; empty for NOT_RUN.
+   * below tolerance", "converged", "iteration limit", "no boundary found", "the coarse surface
+   * could not be refined", "aborted"; empty for NOT_RUN.
    */
   vtkGetMacro(StopReason, int);
   const char* GetStopReasonAsString() const;

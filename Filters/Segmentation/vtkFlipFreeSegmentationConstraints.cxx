@@ -93,7 +93,7 @@ double vtkFlipFreeSegmentation::Preview(const FlipFree::PointConstraint& constra
   {
     if (this->State)
     {
-      runs = this->State->Runs.Preview(constraint, FlipFree::NeverStop);
+      runs = this->State->Session.Preview(constraint, FlipFree::NeverStop);
     }
   }
   catch (const FlipFree::Error&)
@@ -108,7 +108,7 @@ double vtkFlipFreeSegmentation::Preview(const FlipFree::PointConstraint& constra
   {
     return -1;
   }
-  const FlipFree::ImageGeometry& geometry = this->State->Runs.GetGeometry();
+  const FlipFree::ImageGeometry& geometry = this->State->Session.GetGeometry();
   if (changed && !runs->empty())
   {
     FlipFree::MakeCroppedMap(*runs, "Changed", geometry, changed);

@@ -37,7 +37,7 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkInformationVector**
     this->State = std::make_unique<FlipFree::SegmentationState>(given);
   }
   FlipFree::OrganAnswer answer =
-    this->State->Runs.Answer(request, FlipFree::MonitorOf(this, 0, 0.95),
+    this->State->Session.Segment(request, FlipFree::MonitorOf(this, 0, 0.95),
       [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& surface,
         const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
       { this->Cache->History.Add(mesh, surface, field); });

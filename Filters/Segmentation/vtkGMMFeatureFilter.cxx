@@ -56,7 +56,7 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   const FlipFree::PolygonalSurface closed = ClosedSurfaceOf(surface);
   FlipFree::CarvedForegroundInputs inputs;
   inputs.Smooth = smooth;
-  inputs.MakeSmooth = [](const FlipFree::VoxelBox&) { return true; };
+  inputs.EnsureSmoothed = [](const FlipFree::VoxelBox&) { return true; };
   inputs.Points = &closed.Points;
   inputs.Triangles = &closed.Triangles;
   inputs.Seed = seed;

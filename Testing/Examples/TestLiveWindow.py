@@ -39,7 +39,7 @@ def drag(window, start, end, steps=5):
 def wait(window):
     """As long as the timer has something to do."""
     rings = 0
-    while window.growth is not None and not window.growth.is_at_rest():
+    while window.growth is not None and not window.growth.has_converged():
         window.interactor.InvokeEvent("TimerEvent")
         rings += 1
     return rings

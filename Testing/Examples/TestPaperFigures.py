@@ -1,6 +1,8 @@
 """The figures of the paper: each is drawn, and shows what it should by the numbers printed with it.
 
-  TestPaperFigures.py EXAMPLES FOLDER
+  TestPaperFigures.py EXAMPLES FOLDER METHODS
+
+METHODS is the program of the methods that FlipFree is compared with.
 """
 
 import os
@@ -10,7 +12,7 @@ import subprocess
 import sys
 import unittest
 
-EXAMPLES, FOLDER = sys.argv[1:3]
+EXAMPLES, FOLDER, METHODS = sys.argv[1:4]
 DATA = os.environ.get("FLIPFREE_DATA_DIR", "")
 
 
@@ -24,7 +26,7 @@ class TestPaperFigures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         shutil.rmtree(FOLDER, ignore_errors=True)
-        cls.drawn = draw(FOLDER, "--scale", "0.72")
+        cls.drawn = draw(FOLDER, "--scale", "0.72", "--methods", METHODS)
 
     def assert_pictures(self, folder, numbers):
         for number in numbers:
@@ -42,6 +44,13 @@ class TestPaperFigures(unittest.TestCase):
                         r"spleen \(phantom\): Dice 0\.9\d+, .* 0 self-intersections",
                         r"vessel \(phantom\): Dice 0\.[89]\d+, .* 0 self-intersections"):
             self.assertRegex(self.drawn.stdout, pattern)
+
+    def test_figure_5_of_the_package_alone(self):
+        folder = os.path.join(FOLDER, "alone")
+        process = draw(folder, "--only", "5", "--scale", "0.5")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assert_pictures(folder, (5,))
+        self.assertEqual(re.findall(r"\(phantom\), ([^:]*):", process.stdout), ["defaults", "published"])
 
     @unittest.skipUnless(os.path.exists(os.path.join(DATA, "cases.csv")),
                          f"'{DATA}' has no cases.csv; FLIPFREE_DATA_DIR names the folder of it")

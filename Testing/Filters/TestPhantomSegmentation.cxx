@@ -82,7 +82,7 @@ TEST_F(PhantomSegmentation, CupFromOutside)
   EXPECT_GE(this->Measure(this->Metrics, 1), 0.985); // measured 0.991
   EXPECT_LE(this->Metrics->GetASD(), 0.25);          // 0.18 mm
   EXPECT_LE(this->Metrics->GetHD(), 1.8);            // 1.3 mm
-  EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::AT_REST);
+  EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::CONVERGED);
   this->ExpectValid(6144);
 }
 
@@ -93,7 +93,7 @@ TEST_F(PhantomSegmentation, UTubeFromOutside)
   EXPECT_LE(this->Metrics->GetASD(), 0.4);           // 0.23 mm
   // The rest of the web between the legs encloses no voxel, but lies up to 9 mm from the tube.
   EXPECT_LE(this->Metrics->GetHD95(), 2); // 0.9 mm
-  EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::AT_REST);
+  EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::CONVERGED);
   this->ExpectValid(6144);
 }
 

@@ -21,7 +21,7 @@ MARGIN = 1.25
 STAGES = {
     "prefilter": "SmoothRegion::Make",
     "mixture": "FitToSeed",
-    "foreground": "GrowingForeground::Update",
+    "foreground": "OrganForeground::Update",
     "intensities again": "RefitToSurface",
     "normals": "VertexNormals",
     "correspondences": "FindCorrespondences",

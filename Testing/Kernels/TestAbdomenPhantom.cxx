@@ -1,6 +1,7 @@
 #include "Phantom/AbdomenPhantom.h"
 
 #include "ExampleSurfaces.h"
+#include "Image/VoxelOffsets.h"
 
 #include <gtest/gtest.h>
 
@@ -64,17 +65,9 @@ constexpr std::uint8_t Label(AbdomenLabel organ)
   return static_cast<std::uint8_t>(organ);
 }
 
-std::array<int, 3> IndexOf(const ImageGeometry& grid, std::size_t offset)
-{
-  const std::size_t row = grid.Dimensions[0];
-  const std::size_t slice = row * grid.Dimensions[1];
-  return { { static_cast<int>(offset % row), static_cast<int>(offset % slice / row),
-    static_cast<int>(offset / slice) } };
-}
-
 Vector3d LocalOf(const ImageGeometry& grid, std::size_t offset)
 {
-  const std::array<int, 3> index = IndexOf(grid, offset);
+  const std::array<int, 3> index = IndexOf(offset, grid);
   Vector3d local;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -105,7 +98,7 @@ std::vector<std::size_t> Components(const Volume& volume, std::uint8_t label, in
     std::size_t size = 0;
     while (!front.empty())
     {
-      const std::array<int, 3> index = IndexOf(volume.Grid, front.back());
+      const std::array<int, 3> index = IndexOf(front.back(), volume.Grid);
       front.pop_back();
       ++size;
       for (int way = 0; way < 27; ++way)
@@ -183,6 +176,7 @@ TEST(AbdomenAnatomy, SeedsLieAsDeepAsTheyClaim)
   const Volume& volume = DefaultVolume();
   const Phantom phantom = MakeAbdomenPhantom(GridExtent(volume.Grid));
   EXPECT_EQ(phantom.Seeds.size(), 11u);
+  EXPECT_STREQ(NameOf(AbdomenLabel::RightKidney), "right kidney");
   for (const PhantomSeed& seed : phantom.Seeds)
   {
     double depth = 1000;

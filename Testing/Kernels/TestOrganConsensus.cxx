@@ -283,7 +283,7 @@ CarvedForegroundInputs InputsOf(const Organ& organ, const FloatImage& image, con
 {
   CarvedForegroundInputs inputs;
   inputs.Smooth = image.View();
-  inputs.MakeSmooth = [](const VoxelBox&) { return true; };
+  inputs.EnsureSmoothed = [](const VoxelBox&) { return true; };
   inputs.Points = &surface.Points;
   inputs.Triangles = &surface.Triangles;
   inputs.Seed = organ.Seed;
@@ -328,7 +328,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
           NeverStop, expected, opinions));
       }
       std::vector<VoxelBox> made;
-      inputs.MakeSmooth = [&made](const VoxelBox& box)
+      inputs.EnsureSmoothed = [&made](const VoxelBox& box)
       {
         made.push_back(box);
         return true;
@@ -398,7 +398,7 @@ TEST(CarvedForeground, StopsAtOnce)
     EXPECT_EQ(asked, allowed + 1);
   }
   int boxes = 0;
-  inputs.MakeSmooth = [&boxes](const VoxelBox&) { return ++boxes < 2; };
+  inputs.EnsureSmoothed = [&boxes](const VoxelBox&) { return ++boxes < 2; };
   EXPECT_TRUE(stops(NeverStop));
   EXPECT_EQ(boxes, 2);
 }

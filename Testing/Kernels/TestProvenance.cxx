@@ -2,6 +2,7 @@
 #include "Deformation/Provenance.h"
 #include "Deformation/SegmentationParameters.h"
 #include "JsonText.h"
+#include "TextWords.h"
 #include "Vessel/VesselProvenance.h"
 
 #include <gtest/gtest.h>
@@ -88,8 +89,7 @@ TEST(Provenance, SaysAllThatRepeatsASurface)
   for (const auto& parameter : SegmentationParameters())
   {
     const bool changes = parameter.Name != "LabelValue" && parameter.Name != "KeepHistory";
-    std::string name = parameter.Name;
-    name[0] = static_cast<char>(std::tolower(name[0]));
+    const std::string name = WithSmallFirst(parameter.Name);
     EXPECT_EQ(text.find("\"" + name + "\":") != std::string::npos, changes) << name;
   }
   // The order of the constraints means nothing, nor does one that is there twice.

@@ -1,4 +1,4 @@
-// What users ask for: each check by itself, and what is kept between runs.
+// What users ask for: each check by itself, and what is kept between segmentations.
 #include "Deformation/OrganGroup.h"
 #include "Deformation/SegmentationRequest.h"
 #include "MessageText.h"
@@ -62,7 +62,7 @@ public:
       {});
   }
 
-  OrganRuns Runs() const { return { this->Gray(), "it", {} }; }
+  OrganSession Session() const { return { this->Gray(), "it", {} }; }
 
   OrganRequest Request() const
   {
@@ -97,9 +97,9 @@ GivenSurface GivenSphere(const Eigen::Vector3d& center, double radius)
   return { "the given surface", sphere.Points, sphere.Mesh.Faces };
 }
 
-OrganAnswer RunOnce(OrganRuns& runs, const OrganRequest& request)
+OrganAnswer RunOnce(OrganSession& session, const OrganRequest& request)
 {
-  return runs.Answer(request, NeverStop, nullptr);
+  return session.Segment(request, NeverStop, nullptr);
 }
 
 // Stops at the question of that number, counted from 1.
@@ -151,8 +151,8 @@ void ExpectRefusalWith(const std::string& words, const Call& call)
 
 void ExpectRunRefused(const AskedBall& ball, const OrganRequest& request, const std::string& words)
 {
-  OrganRuns runs = ball.Runs();
-  ExpectRefusalWith(words, [&] { RunOnce(runs, request); });
+  OrganSession session = ball.Session();
+  ExpectRefusalWith(words, [&] { RunOnce(session, request); });
 }
 
 void ExpectGroupRefused(const AskedBall& ball, const GroupRequest& request,
@@ -164,13 +164,13 @@ void ExpectGroupRefused(const AskedBall& ball, const GroupRequest& request,
 void ExpectLabelRefused(const AskedBall& ball, const LabelVolume& labels, int label,
   const std::string& words)
 {
-  OrganRuns runs = ball.Runs();
-  runs.FillLabel(ball.LabelMap(), 3);
-  ExpectRefusalWith(words, [&] { runs.FillLabel(labels, label); });
+  OrganSession session = ball.Session();
+  session.FillLabel(ball.LabelMap(), 3);
+  ExpectRefusalWith(words, [&] { session.FillLabel(labels, label); });
   // The earlier label is none any more.
   OrganRequest request = ball.Request();
   request.Seed.reset();
-  ExpectRefusalWith("there is neither a seed nor a label", [&] { RunOnce(runs, request); });
+  ExpectRefusalWith("there is neither a seed nor a label", [&] { RunOnce(session, request); });
 }
 
 } // namespace
@@ -208,21 +208,21 @@ TEST(OrganRequest, IsCheckedForTheStartSurface)
   OrganRequest request = ball.Request();
   request.Settings.Method.Schedule.MaximumIterations = 0;
   request.Settings.Method.Schedule.Levels = 1;
-  OrganRuns runs = ball.Runs();
+  OrganSession session = ball.Session();
   GivenSurface surface = GivenSphere(ball.Seed.Center, 9);
-  runs.StartFrom(surface);
-  const OrganAnswer answer = RunOnce(runs, request);
+  session.StartFrom(surface);
+  const OrganAnswer answer = RunOnce(session, request);
   EXPECT_EQ(answer.Result.Organ.Points, surface.Points);
   EXPECT_NE(answer.Provenance.find("\"startSurface\":true"), std::string::npos);
 
   surface.Points.row(0) += Eigen::RowVector3d(0, 0, 40);
-  runs.StartFrom(surface);
-  ExpectRefusalWith("the given surface intersects itself", [&] { RunOnce(runs, request); });
+  session.StartFrom(surface);
+  ExpectRefusalWith("the given surface intersects itself", [&] { RunOnce(session, request); });
   request.Settings.Method.Step.Guard = false;
-  EXPECT_EQ(RunOnce(runs, request).Result.Organ.Points, surface.Points);
+  EXPECT_EQ(RunOnce(session, request).Result.Organ.Points, surface.Points);
   surface.Points.resize(0, 3);
-  runs.StartFrom(surface);
-  ExpectRefusalWith("the given surface has no points", [&] { RunOnce(runs, request); });
+  session.StartFrom(surface);
+  ExpectRefusalWith("the given surface has no points", [&] { RunOnce(session, request); });
 }
 
 TEST(OrganRequest, IsCheckedForTheLabel)
@@ -248,7 +248,7 @@ TEST(OrganRequest, IsCheckedForTheLabel)
   const std::vector<float> labels = ball.Labels;
   ball.Labels[5] = std::numeric_limits<float>::infinity();
   ExpectRefusalWith("is not a finite number",
-    [&ball] { ball.Runs().FillLabel(ball.LabelMap(), 3); });
+    [&ball] { ball.Session().FillLabel(ball.LabelMap(), 3); });
   ball.Labels = labels;
   for (float& value : ball.Labels)
   {
@@ -256,27 +256,27 @@ TEST(OrganRequest, IsCheckedForTheLabel)
   }
   ball.Labels[ball.Geometry.Offset(9, 9, 9)] = 2;
   ExpectRefusalWith("the start labels are nowhere thicker than two voxels",
-    [&ball] { ball.Runs().FillLabel(ball.LabelMap(), 0); });
+    [&ball] { ball.Session().FillLabel(ball.LabelMap(), 0); });
 }
 
 TEST(OrganRequest, FillsALabelAndGoesBackToTheSeed)
 {
   const AskedBall ball;
-  OrganRuns runs = ball.Runs();
+  OrganSession session = ball.Session();
   OrganRequest request = ball.Request();
-  const OrganAnswer seeded = RunOnce(runs, request);
+  const OrganAnswer seeded = RunOnce(session, request);
   EXPECT_EQ(seeded.Seed.Center, ball.Seed.Center);
-  const SeedSphere largest = runs.FillLabel(ball.LabelMap(), 0);
+  const SeedSphere largest = session.FillLabel(ball.LabelMap(), 0);
   EXPECT_NEAR(largest.Radius, 14, 1); // a voxel less than the label
   request.Seed.reset();
   request.Constraints = { { ConstraintKind::Seed, { 35, 35, 35 }, 14.5 } }; // takes no place of it
-  const OrganAnswer filled = RunOnce(runs, request);
+  const OrganAnswer filled = RunOnce(session, request);
   EXPECT_EQ(filled.Seed.Radius, largest.Radius);
   EXPECT_NE(filled.Provenance.find("\"startLabels\":{\"name\":\"\",\"label\":0}"),
     std::string::npos);
   EXPECT_NE(filled.Provenance.find("\"radius\":14.5"), std::string::npos);
   EXPECT_NE(filled.Result.Organ.Points, seeded.Result.Organ.Points);
-  const OrganAnswer again = RunOnce(runs, ball.Request());
+  const OrganAnswer again = RunOnce(session, ball.Request());
   EXPECT_EQ(again.Result.Organ.Points, seeded.Result.Organ.Points);
   EXPECT_EQ(again.Provenance, seeded.Provenance);
 }
@@ -284,18 +284,19 @@ TEST(OrganRequest, FillsALabelAndGoesBackToTheSeed)
 TEST(OrganRequest, FillsALabelOfACroppedAndReorderedMapAsOfAWholeOne)
 {
   const AskedBall ball;
-  OrganRuns runs = ball.Runs();
+  OrganSession session = ball.Session();
   OrganRequest request = ball.Request();
   request.Seed.reset();
   const auto fill = [&](const VoxelBox& box)
   {
     const ImageGeometry part = PartOf(ball.Geometry, box, { { 2, 0, 1 } }, { { 1, -1, -1 } });
     const std::vector<float> labels = VoxelsIn(part, ball.Labels, ball.Geometry);
-    runs.FillLabel(LabelVolumeOf(ImageView<float>{ labels.data(), part }, StartLabelsName, {}), 3);
-    return RunOnce(runs, request);
+    session.FillLabel(LabelVolumeOf(ImageView<float>{ labels.data(), part }, StartLabelsName, {}),
+      3);
+    return RunOnce(session, request);
   };
-  runs.FillLabel(ball.LabelMap(), 3);
-  const OrganAnswer whole = RunOnce(runs, request);
+  session.FillLabel(ball.LabelMap(), 3);
+  const OrganAnswer whole = RunOnce(session, request);
   const VoxelBox around = { { { 8, 8, 8 } }, { { 30, 28, 29 } } };
   for (const VoxelBox& box : { around, around.Joined({ { { -3, 0, 0 } }, { { 1, 1, 41 } } }) })
   {
@@ -318,11 +319,11 @@ TEST(OrganRequest, SaysHowMuchOfALabelLiesOutsideTheVolume)
   {
     labels[wide.Offset(40 + voxel % 20, 10 + voxel / 20, 10)] = 3;
   }
-  OrganRuns runs = ball.Runs();
-  runs.FillLabel(LabelVolumeOf(ImageView<float>{ labels.data(), wide }, StartLabelsName, {}), 3);
+  OrganSession session = ball.Session();
+  session.FillLabel(LabelVolumeOf(ImageView<float>{ labels.data(), wide }, StartLabelsName, {}), 3);
   OrganRequest request = ball.Request();
   request.Seed.reset();
-  const std::vector<std::string> warnings = RunOnce(runs, request).Result.Warnings;
+  const std::vector<std::string> warnings = RunOnce(session, request).Result.Warnings;
   ASSERT_FALSE(warnings.empty());
   EXPECT_EQ(warnings.back(),
     PercentOf(outside / (inside + outside)) +
@@ -333,12 +334,12 @@ TEST(OrganRequest, SaysHowMuchOfALabelLiesOutsideTheVolume)
 TEST(OrganRequest, StartsInTheLargestSeed)
 {
   const AskedBall ball;
-  OrganRuns runs = ball.Runs();
+  OrganSession session = ball.Session();
   const OrganRequest plain = ball.Request();
   OrganRequest turned = plain;
   turned.Constraints = { { ConstraintKind::Seed, plain.Seed->Center, plain.Seed->Radius } };
   turned.Seed = SeedSphere{ { 35, 35, 42 }, 3 };
-  const OrganAnswer answer = RunOnce(runs, turned);
+  const OrganAnswer answer = RunOnce(session, turned);
   EXPECT_EQ(answer.Seed.Center, plain.Seed->Center);
   EXPECT_NE(answer.Provenance.find("\"seed\":{\"center\":[35,35,35],\"radius\":8}"),
     std::string::npos);
@@ -349,35 +350,35 @@ TEST(OrganRequest, StartsInTheLargestSeed)
 TEST(OrganRequest, KeepsWhatPointsDoNotChange)
 {
   const AskedBall ball;
-  OrganRuns runs = ball.Runs();
+  OrganSession session = ball.Session();
   const OrganRequest plain = ball.Request();
-  const OrganAnswer free = RunOnce(runs, plain);
+  const OrganAnswer free = RunOnce(session, plain);
   EXPECT_EQ(ball.Preparations, 1);
   OrganRequest corrected = plain;
   corrected.Constraints = { { ConstraintKind::Outside, { 35, 35, 46 }, 0 } };
-  const OrganAnswer moved = RunOnce(runs, corrected);
+  const OrganAnswer moved = RunOnce(session, corrected);
   EXPECT_NE(moved.Result.Organ.Points, free.Result.Organ.Points);
-  EXPECT_EQ(RunOnce(runs, plain).Result.Organ.Points, free.Result.Organ.Points);
+  EXPECT_EQ(RunOnce(session, plain).Result.Organ.Points, free.Result.Organ.Points);
   EXPECT_EQ(ball.Preparations, 1);
-  OrganRuns others = ball.Runs();
+  OrganSession others = ball.Session();
   EXPECT_EQ(RunOnce(others, corrected).Result.Organ.Points, moved.Result.Organ.Points);
 
   ball.Preparations = 0;
   OrganRequest other = plain;
   other.Settings.Method.Targets.MaximumDisplacement = 0.5;
-  EXPECT_NE(RunOnce(runs, other).Result.Organ.Points, free.Result.Organ.Points);
+  EXPECT_NE(RunOnce(session, other).Result.Organ.Points, free.Result.Organ.Points);
   EXPECT_EQ(ball.Preparations, 1);
   other = plain;
   other.Seed->Radius = ball.OtherRadius;
-  RunOnce(runs, other);
+  RunOnce(session, other);
   EXPECT_EQ(ball.Preparations, 2);
-  RunOnce(runs, other);
+  RunOnce(session, other);
   EXPECT_EQ(ball.Preparations, 2);
-  runs.Release();
-  RunOnce(runs, other);
+  session.Release();
+  RunOnce(session, other);
   EXPECT_EQ(ball.Preparations, 3);
-  runs.StartFrom(GivenSphere(ball.Seed.Center, 9));
-  RunOnce(runs, other);
+  session.StartFrom(GivenSphere(ball.Seed.Center, 9));
+  RunOnce(session, other);
   EXPECT_EQ(ball.Preparations, 4);
 }
 
@@ -388,9 +389,9 @@ TEST(OrganRequest, ShowsIterationsWhoseHistoryIsKept)
   for (const bool keeps : { false, true })
   {
     request.Settings.KeepHistory = keeps;
-    OrganRuns runs = ball.Runs();
+    OrganSession session = ball.Session();
     std::size_t seen = 0;
-    const OrganAnswer answer = runs.Answer(request, NeverStop,
+    const OrganAnswer answer = session.Segment(request, NeverStop,
       [&seen](const ContourMesh&, const PointList&, const CorrespondenceField&,
         const IterationRecord&) { ++seen; });
     EXPECT_EQ(seen, keeps ? answer.Result.Organ.Iterations.size() : 0);
@@ -401,20 +402,20 @@ TEST(OrganRequest, GivesTheSameAfterAnAbort)
 {
   const AskedBall ball;
   const OrganRequest request = ball.Request();
-  OrganRuns fresh = ball.Runs();
+  OrganSession fresh = ball.Session();
   const VolumeSegmentation expected = RunOnce(fresh, request).Result;
   fresh.Release();
   const int questions =
-    QuestionsOf([&](const Monitor& monitor) { fresh.Answer(request, monitor, nullptr); });
+    QuestionsOf([&](const Monitor& monitor) { fresh.Segment(request, monitor, nullptr); });
   ASSERT_GT(questions, 20);
   for (const int stop : SomeOf(questions))
   {
     SCOPED_TRACE(stop);
-    OrganRuns runs = ball.Runs();
-    const VolumeSegmentation aborted = runs.Answer(request, StopAt(stop), nullptr).Result;
+    OrganSession session = ball.Session();
+    const VolumeSegmentation aborted = session.Segment(request, StopAt(stop), nullptr).Result;
     EXPECT_EQ(aborted.Organ.Reason, StopReason::Aborted);
     EXPECT_TRUE(aborted.Voxels.empty());
-    ExpectSame(RunOnce(runs, request).Result, expected);
+    ExpectSame(RunOnce(session, request).Result, expected);
   }
 }
 
@@ -424,22 +425,22 @@ TEST(OrganRequest, GivesTheSameAfterAnAbortOfACorrection)
   const OrganRequest plain = ball.Request();
   OrganRequest corrected = plain;
   corrected.Constraints = { { ConstraintKind::Outside, { 35, 35, 46 }, 0 } };
-  OrganRuns fresh = ball.Runs();
+  OrganSession fresh = ball.Session();
   const VolumeSegmentation expected = RunOnce(fresh, corrected).Result;
-  OrganRuns kept = ball.Runs();
+  OrganSession kept = ball.Session();
   const VolumeSegmentation free = RunOnce(kept, plain).Result;
   const int questions =
-    QuestionsOf([&](const Monitor& monitor) { kept.Answer(corrected, monitor, nullptr); });
+    QuestionsOf([&](const Monitor& monitor) { kept.Segment(corrected, monitor, nullptr); });
   ASSERT_GT(questions, 4);
   for (const int stop : SomeOf(questions))
   {
     SCOPED_TRACE(stop);
-    OrganRuns runs = ball.Runs();
-    RunOnce(runs, plain);
-    EXPECT_EQ(runs.Answer(corrected, StopAt(stop), nullptr).Result.Organ.Reason,
+    OrganSession session = ball.Session();
+    RunOnce(session, plain);
+    EXPECT_EQ(session.Segment(corrected, StopAt(stop), nullptr).Result.Organ.Reason,
       StopReason::Aborted);
-    ExpectSame(RunOnce(runs, corrected).Result, expected);
-    ExpectSame(RunOnce(runs, plain).Result, free);
+    ExpectSame(RunOnce(session, corrected).Result, expected);
+    ExpectSame(RunOnce(session, plain).Result, free);
   }
 }
 

@@ -61,9 +61,9 @@ TEST(SegmentationSettings, LevelsEndByTheMeanDistance)
   distances.push_back(0.95);
   EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::NotRun);
   distances.back() = 0.97;
-  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::AtRest);
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::Converged);
   distances.back() = 2;
-  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::AtRest);
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::Converged);
   schedule.ChangeTolerance = -1;
   EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::NotRun);
 }

@@ -1,6 +1,6 @@
 // Letters of texts, alike in every locale.
 #include "Exchange/FileNames.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,8 @@ TEST(TextWords, SmallLettersAreThoseOfAscii)
 {
   EXPECT_EQ(InSmallLetters("AZaz09[@`{"), "azaz09[@`{");
   EXPECT_EQ(InSmallLetters("\xC3\x84\xC4\xB0"), "\xC3\x84\xC4\xB0");
+  EXPECT_EQ(WithSmallFirst("EdgeSNAP"), "edgeSNAP");
+  EXPECT_EQ(WithSmallFirst(""), "");
   EXPECT_EQ(ExtensionOf("a.b/C.NII.Gz"), ".gz");
   EXPECT_EQ(ExtensionOf("a.b/c"), "");
   EXPECT_TRUE(IsDicomDirectory("disk/DicomDir"));

@@ -12,7 +12,7 @@ import sys
 import unittest
 
 BUILD, SOURCE, WORK, PYTHON, VERSION = sys.argv[1:6]
-LIBRARIES = ("Baselines", "Evaluation", "Imaging", "Phantoms", "Segmentation")
+LIBRARIES = ("Evaluation", "Imaging", "Phantoms", "Segmentation")
 
 
 def run(*arguments, **options):

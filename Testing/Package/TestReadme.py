@@ -62,7 +62,7 @@ PAGES = {"shell.md": (), "python.md": ("## Without VTK", "## PyVista"), "README.
 RESULTS = {
     "shell.md": r"\nDice +0\.9[3-9]",
     "python.md": r"6144 vertices, 0 self.*\nScores\(dice=0\.9[3-9](.*\n)+"
-                 r"at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9].*\nat rest 6144\n$",
+                 r"converged \(6144, 3\) [0-9]+ voxels\n0\.9[3-9].*\nconverged 6144\n$",
     "README.md": r"Is the part of [0-9]+ ml at",
     "start-label-map.md": r"\n<Segmentation: 6144 vertices, 0 self-intersections.*\n$",
     "label-surfaces.md": r"\n0 voxels on the wrong side",
@@ -83,7 +83,7 @@ def main(documents, prefix, python, vtk, compiler):
         run(["cmake", "--build", "build"], folder, environment)
         expect("^6144 vertices, a label map of [0-9]+ voxels, 0 self-intersections\n$",
                run(["build/liver"], folder, environment))
-        expect(r"^at rest \(6144, 3\) [0-9]+ voxels\n0\.94",
+        expect(r"^converged \(6144, 3\) [0-9]+ voxels\n0\.94",
                run([sys.executable, "-c", block(text, "### Python", "python")], folder, environment))
         for page, elsewhere in PAGES.items():
             text = without(text_of(documents, "Examples", "Guide", page), elsewhere)

@@ -59,7 +59,7 @@ class Abort(session.SessionTest):
         self.filter.SetAbortExecute(0)
         self.organ.Resolution = 8
         self.organ.UpdatePipeline()
-        self.assert_ended(6 * 8 * 8, "at rest")
+        self.assert_ended(6 * 8 * 8, "converged")
 
 
 if __name__ == "__main__":

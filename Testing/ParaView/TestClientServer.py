@@ -80,7 +80,7 @@ class ClientServer(session.SessionTest):
         remote.UpdatePipelineInformation()
         self.assertEqual(list(remote.TimestepValues), list(range(1, len(self.expected[2]) + 1)))
         remote.UpdatePropertyInformation()
-        self.assertEqual([remote.StopReason, remote.NumberOfSelfIntersections], ["at rest", 0])
+        self.assertEqual([remote.StopReason, remote.NumberOfSelfIntersections], ["converged", 0])
 
     def test_progress_reaches_the_client(self):
         simple.ProgrammableSource(Script=TELL_ALL).UpdatePipeline()

@@ -23,7 +23,7 @@ class Example(session.SessionTest):
         simple.SaveData(volume, proxy=session.abdomen())
         result = self.run_example(volume, *session.SEED, session.RADIUS, "-o", picture, "--state", state)
         self.assertEqual(result.returncode, 0, result.stdout)
-        self.assertIn("6144 vertices, 0 self-intersections; stopped: at rest", result.stdout)
+        self.assertIn("6144 vertices, 0 self-intersections; stopped: converged", result.stdout)
         self.assertNotIn("ERR|", result.stdout)
         pixels = fetch(simple.PNGSeriesReader(FileNames=[picture]))
         self.assertEqual(pixels.GetDimensions(), (1400, 700, 1))

@@ -50,7 +50,7 @@ class AgainstTheCommand(session.SessionTest):
             self.assertEqual(convergence.GetNumberOfRows(), len(file.readlines()) - 1)
         liver.UpdatePropertyInformation()
         self.assertEqual(liver.NumberOfSelfIntersections, 0)
-        self.assertEqual(liver.StopReason, "at rest")
+        self.assertEqual(liver.StopReason, "converged")
 
     def test_corrections(self):
         volume, surface, table = self.file("abdomen.nii.gz"), self.file("corrected.vtp"), self.file("points.csv")

@@ -425,6 +425,7 @@ sys.exit(main(sys.argv[1:]))
                 "ras.ply": ply + "comment 3D Slicer output. SPACE=RAS\n" + element + lists + "end_header\n" + turned + corners,
                 "more.stl": bytes(80) + count + triangles + b"more",
                 "none.stl": bytes(80) + bytes(4) + triangles,
+                "promise.vtp": '<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="99999999999"></Piece></PolyData></VTKFile>\n',
                 "half.stl": bytes(80) + count + triangles[:100],
                 "index.ply": ply + element + lists + "end_header\n" + vertices + corners.replace("3 1 2 3", "3 1 2 9")}.items():
             with self.subTest(name):
@@ -439,6 +440,7 @@ sys.exit(main(sys.argv[1:]))
         self.assertIn("Dice", said["plain.ply"])
         self.assertIn("has no faces", said["none.stl"])
         self.assertIn("fewer triangles", said["half.stl"])
+        self.assertIn("it cannot hold as much as its header says", said["promise.vtp"])
         self.assertIn("face 3 has a vertex that does not exist", said["index.ply"])
 
     def test_written_surfaces_serve_again(self):

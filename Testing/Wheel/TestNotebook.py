@@ -52,7 +52,7 @@ class Notebook(unittest.TestCase):
         outputs = [output for cell in executed().cells for output in cell.get("outputs", [])]
         text = "".join(output.get("text", "") for output in outputs)
         self.assertEqual([output for output in outputs if output.get("name") == "stderr"], [])
-        self.assertRegex(text, r"<Segmentation: 6144 vertices, 0 self-intersections, 'at rest' after \d+ iterations>")
+        self.assertRegex(text, r"<Segmentation: 6144 vertices, 0 self-intersections, 'converged' after \d+ iterations>")
         self.assertRegex(text, r"Dice 0\.9\d\d, mean distance \d\.\d\d mm")
         self.assertRegex(text, r"spleen +done, Dice 0\.9.*\n *left_kidney +done, Dice 0\.9")
         data = [output.get("data", {}) for output in outputs]

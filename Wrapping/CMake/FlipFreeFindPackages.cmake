@@ -28,12 +28,11 @@ if (FLIPFREE_BUILD_COMMAND)
     RenderingFreeType
     RenderingOpenGL2)
 endif ()
-if (FLIPFREE_BUILD_BENCHMARKS)
+if (BUILD_TESTING OR FLIPFREE_BUILD_BENCHMARKS)
   list(APPEND _flipfree_vtk_components CommonSystem IOXML)
 endif ()
 if (BUILD_TESTING)
   list(APPEND _flipfree_vtk_components
-    CommonSystem
     FiltersVerdict
     ImagingCore
     InteractionStyle
@@ -62,23 +61,25 @@ if (NOT ParaView_FOUND)
 endif ()
 
 if (FLIPFREE_USE_ITK)
-  # Graphs for the baselines; headers alone.
-  find_package(Boost 1.71 REQUIRED CONFIG)
-
   # By name: the full list of components wants development files that nothing pulls in.
   set(_flipfree_itk_components
     ITKCommon
     ITKAnisotropicSmoothing
-    ITKDeformableMesh
     ITKGDCM
     ITKIOGDCM
     ITKIOImageBase
     ITKIOMeta
     ITKIONRRD
-    ITKImageFeature
-    ITKLevelSets
-    ITKRegionGrowing
     ITKVTK)
+  # The methods that FlipFree is compared with; of Boost, headers alone.
+  if (BUILD_TESTING OR FLIPFREE_BUILD_BENCHMARKS)
+    find_package(Boost 1.71 REQUIRED CONFIG)
+    list(APPEND _flipfree_itk_components
+      ITKDeformableMesh
+      ITKImageFeature
+      ITKLevelSets
+      ITKRegionGrowing)
+  endif ()
   # ITK reads the configurations of all its modules, and ITKVtkGlue's finds the VTK that ITK was built with, which need
   # not be the one at hand. So that one counts as read: two of its headers are all that is used of it.
   set(ITKVtkGlue_LOADED TRUE)

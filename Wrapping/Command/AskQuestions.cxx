@@ -4,7 +4,7 @@
 #include "Messages.h"
 #include "Run.h"
 
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include "vtkTable.h"
 #include "vtkVariant.h"

@@ -4,7 +4,7 @@
 #include "Interrupt.h"
 #include "Run.h"
 
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -2,6 +2,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "Phantom/PhantomVolume.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "Subcommands.h"
@@ -20,6 +21,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace Command
 {
@@ -51,27 +53,22 @@ const std::map<std::string, int>& Shapes()
   return shapes;
 }
 
-using Label = std::pair<int, const char*>;
-
-std::vector<Label> LabelsOf(int shape)
+/// Those that may have a seed; the liver, which most start with, first.
+std::vector<int> LabelsOf(int shape)
 {
   if (shape != vtkPhantomSource::ABDOMEN)
   {
-    return { { vtkPhantomSource::OBJECT, "object" } };
+    return { vtkPhantomSource::OBJECT };
   }
-  return {
-    { vtkPhantomSource::LIVER, "liver" },
-    { vtkPhantomSource::SPLEEN, "spleen" },
-    { vtkPhantomSource::RIGHT_KIDNEY, "right kidney" },
-    { vtkPhantomSource::LEFT_KIDNEY, "left kidney" },
-    { vtkPhantomSource::GALLBLADDER, "gallbladder" },
-    { vtkPhantomSource::ESOPHAGUS, "esophagus" },
-    { vtkPhantomSource::STOMACH, "stomach" },
-    { vtkPhantomSource::AORTA, "aorta" },
-    { vtkPhantomSource::VENA_CAVA, "vena cava" },
-    { vtkPhantomSource::PORTAL_VEIN, "portal vein" },
-    { vtkPhantomSource::PANCREAS, "pancreas" },
-  };
+  std::vector<int> labels{ vtkPhantomSource::LIVER };
+  for (int label = 1; label <= vtkPhantomSource::PANCREAS; ++label)
+  {
+    if (label != vtkPhantomSource::LIVER)
+    {
+      labels.push_back(label);
+    }
+  }
+  return labels;
 }
 
 /// What `flipfree trace` takes.
@@ -87,13 +84,14 @@ void PrintVesselEnds(vtkPhantomSource* source)
 
 void PrintSeeds(vtkPhantomSource* source)
 {
-  for (const Label& label : LabelsOf(source->GetShape()))
+  const int shape = source->GetShape();
+  for (const int label : LabelsOf(shape))
   {
     double seed[4];
-    if (source->GetSeed(label.first, seed))
+    if (source->GetSeed(label, seed))
     {
-      std::printf("%s (label %d): --seed %.2f %.2f %.2f --radius %.2f\n", label.second, label.first,
-        seed[0], seed[1], seed[2], seed[3]);
+      std::printf("%s (label %d): --seed %.2f %.2f %.2f --radius %.2f\n",
+        FlipFree::NameOfPhantomLabel(shape, label), label, seed[0], seed[1], seed[2], seed[3]);
     }
   }
   double seed[4];

@@ -6,7 +6,7 @@
 #include "PointText.h"
 
 #include "Exchange/PointTable.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"

@@ -80,7 +80,7 @@ bool PointOptions::IsEmpty() const
     this->StrokeFiles().empty() && !this->HasFiles() && !this->RAS;
 }
 
-void PointOptions::RequireSense() const
+void PointOptions::Validate() const
 {
   for (const auto& [name, coordinates] : this->Coordinates)
   {

@@ -30,7 +30,7 @@ public:
   bool IsEmpty() const;
 
   /// Throws WrongUsage for coordinates that are not finite and files of another ending.
-  void RequireSense() const;
+  void Validate() const;
 
   /// A point of the command line, such as the seed or a vessel's point, in LPS millimeters.
   std::array<double, 3> InLps(const double* given) const;

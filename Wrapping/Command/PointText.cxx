@@ -7,7 +7,7 @@
 
 #include "Exchange/FileProblem.h"
 #include "Exchange/TableText.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <nlohmann/json.hpp>
 

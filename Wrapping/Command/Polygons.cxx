@@ -1,7 +1,5 @@
 #include "Polygons.h"
 
-#include "UnreadableFile.h"
-
 #include "Exchange/PolygonFile.h"
 
 #include "vtkCellArray.h"
@@ -10,8 +8,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace Command
@@ -43,14 +39,8 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(const FlipFree::CheckedPolygons& polygons
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> ReadPolygons(const std::string& name)
+vtkSmartPointer<vtkPolyData> ReadPolygons(const std::string& name, const std::string& bytes)
 {
-  std::ifstream file(name, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(file), {} };
-  if (!file)
-  {
-    throw UnreadableFile(name);
-  }
   return SurfaceOf(FlipFree::ReadPolygonFile(name, bytes));
 }
 

@@ -15,8 +15,8 @@ class vtkPolyData;
 namespace Command
 {
 
-/// Throws FlipFree::FileProblem, naming the file.
-vtkSmartPointer<vtkPolyData> ReadPolygons(const std::string& name);
+/// Of a file of this name. Throws FlipFree::FileProblem, naming the file.
+vtkSmartPointer<vtkPolyData> ReadPolygons(const std::string& name, const std::string& bytes);
 
 /// Points and polygons of a surface that VTK has read, triangles in place of strips. Throws
 /// FlipFree::FileProblem of what is wrong in it, a part of a message, where a polygon has a vertex

@@ -367,7 +367,7 @@ void Segment(const SegmentRequest& request)
   {
     ProgressBar::Disable();
   }
-  RequireSense(request);
+  ValidateRequest(request);
   if (request.Several.HasOrgans())
   {
     SegmentGroup(request, request.Several.Organs(request.Corrections),

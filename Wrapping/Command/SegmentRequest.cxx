@@ -124,9 +124,9 @@ void RequireStart(const SegmentRequest& request)
 
 } // namespace
 
-void RequireSense(const SegmentRequest& request)
+void ValidateRequest(const SegmentRequest& request)
 {
-  request.Corrections.RequireSense();
+  request.Corrections.Validate();
   if (request.Asks)
   {
     RequireAnswers(request);

@@ -50,7 +50,7 @@ struct SegmentRequest
 };
 
 /// Checks all that can be checked before a file is read; throws WrongUsage.
-void RequireSense(const SegmentRequest& request);
+void ValidateRequest(const SegmentRequest& request);
 
 /// How messages call what is segmented.
 std::string TitleOf(const SegmentRequest& request, const char* quote = "'");

@@ -7,11 +7,12 @@
 #include "OutputFile.h"
 #include "Polygons.h"
 #include "Run.h"
+#include "TextFile.h"
 #include "UnreadableFile.h"
-#include "VtpHeader.h"
 
 #include "Exchange/FileProblem.h"
 #include "Exchange/PolygonFile.h"
+#include "Exchange/VtpHeader.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -40,9 +41,9 @@ namespace Command
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
+vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name, const std::string& bytes)
 {
-  JudgeVtp(name);
+  FlipFree::ValidateVtp(name, bytes);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(name.c_str());
   Run(reader, "reading");
@@ -100,7 +101,7 @@ void WriteObj(const std::string& name, vtkPolyData* surface)
   {
     text << "# " << comment << "\n";
   }
-  text << std::ifstream(name, std::ios::binary).rdbuf();
+  text << ReadBytes(name);
   const std::string bytes = text.str();
   WriteBytes(name, bytes.data(), bytes.size());
 }
@@ -108,7 +109,8 @@ void WriteObj(const std::string& name, vtkPolyData* surface)
 struct Format
 {
   const char* Ending;
-  std::function<vtkSmartPointer<vtkPolyData>(const std::string&)> Read;
+  std::function<vtkSmartPointer<vtkPolyData>(const std::string& name, const std::string& bytes)>
+    Read;
   std::function<void(const std::string&, vtkPolyData*)> Write;
 };
 
@@ -234,10 +236,11 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   {
     throw Failure("'" + name + "' is not a regular file. Give the file of a surface.");
   }
+  const std::string bytes = ReadBytes(name);
   vtkSmartPointer<vtkPolyData> surface;
   try
   {
-    surface = FormatOf(name).Read(name);
+    surface = FormatOf(name).Read(name, bytes);
   }
   catch (const std::bad_alloc&)
   {
@@ -278,7 +281,7 @@ void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNam
   {
     const Format& format = FormatOf(name);
     format.Write(name, written);
-    found = format.Read(name);
+    found = format.Read(name, ReadBytes(name));
     // STL has no vertex indices to compare.
     whole =
       isStl ? found->GetNumberOfPolys() == written->GetNumberOfPolys() : SameFaces(found, written);
@@ -306,7 +309,7 @@ void WriteLines(const std::string& name, vtkPolyData* lines)
   try
   {
     WriteBy<vtkXMLPolyDataWriter>(name, lines);
-    JudgeVtp(name);
+    FlipFree::ValidateVtp(name, ReadBytes(name));
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(name.c_str());
     Run(reader, "reading");
@@ -314,7 +317,7 @@ void WriteLines(const std::string& name, vtkPolyData* lines)
     whole = found->GetNumberOfPoints() == lines->GetNumberOfPoints() &&
       found->GetNumberOfLines() == lines->GetNumberOfLines() && EndsWhole(name);
   }
-  catch (const Failure&)
+  catch (const std::runtime_error&)
   {
     whole = false;
   }

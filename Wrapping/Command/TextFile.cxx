@@ -3,7 +3,7 @@
 #include "Failure.h"
 #include "UnreadableFile.h"
 
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <filesystem>
 #include <fstream>
@@ -12,7 +12,7 @@
 namespace Command
 {
 
-std::string ReadText(const std::string& name)
+std::string ReadBytes(const std::string& name)
 {
   const std::ifstream file(name, std::ios::binary);
   std::ostringstream content;
@@ -26,7 +26,12 @@ std::string ReadText(const std::string& name)
   {
     throw UnreadableFile(name);
   }
-  const std::string text = content.str();
+  return content.str();
+}
+
+std::string ReadText(const std::string& name)
+{
+  const std::string text = ReadBytes(name);
   if (!FlipFree::IsUtf8(text) || text.find('\0') != std::string::npos)
   {
     throw Failure("'" + name + "' is not UTF-8 text. Save it as UTF-8.");

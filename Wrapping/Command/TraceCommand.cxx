@@ -118,7 +118,7 @@ std::vector<Output> OutputsOf(const Trace& trace, vtkFlipFreeVesselSegmentation*
 }
 
 /// Checks all that can be checked before the volume is read.
-void RequireSense(const Trace& trace)
+void ValidateRequest(const Trace& trace)
 {
   RequireCoordinates("--point", trace.Points);
   if (trace.Points.size() < 6)
@@ -126,7 +126,7 @@ void RequireSense(const Trace& trace)
     throw WrongUsage("A vessel needs at least two points. Give one at each end: "
                      "--point X Y Z --point X Y Z (LPS mm).");
   }
-  trace.Corrections.RequireSense();
+  trace.Corrections.Validate();
   const std::vector<Output> outputs = OutputsOf(trace, nullptr, nullptr);
   if (outputs.empty())
   {
@@ -188,7 +188,7 @@ void TraceVessel(Trace trace)
   {
     ProgressBar::Disable();
   }
-  RequireSense(trace);
+  ValidateRequest(trace);
   OutputFiles files;
   std::vector<std::string> kept = trace.Corrections.StrokeFiles();
   kept.push_back(trace.Input);

@@ -18,7 +18,6 @@ build_packages=(
   dpkg-dev
   file
   g++
-  libboost-dev
   libcli11-dev
   libeigen3-dev
   # Only keeps ITK's configuration from complaining at length.
@@ -44,6 +43,8 @@ test_packages=(
   clang-tidy
   doxygen
   groff-base
+  # Maximum flows, to compare with.
+  libboost-dev
   libcgal-dev
   libclang-rt-dev
   libgtest-dev
@@ -65,7 +66,6 @@ test_packages=(
 paraview_packages=(
   cmake
   g++
-  libboost-dev
   libeigen3-dev
   libgdcm-tools
   libgl1-mesa-dri

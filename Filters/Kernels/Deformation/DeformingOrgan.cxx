@@ -13,8 +13,8 @@ namespace FlipFree
 namespace
 {
 
-// A surface that still finds new parts of the boundary is not at rest, even where its mean distance
-// to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
+// A surface that still finds new parts of the boundary has not converged, even where its mean
+// distance to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
 constexpr double Growth = 0.01;
 
 /// Adds to a sum how long a block takes, wherever the block is left.
@@ -50,10 +50,9 @@ DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSph
 {
 }
 
-void DeformingOrgan::ResetForNextRun()
+void DeformingOrgan::ReleaseSurface(double seconds)
 {
-  const double seconds = this->Surface.FeatureSeconds;
-  this->Reset();
+  this->Surface = {};
   this->Surface.FeatureSeconds = seconds;
 }
 
@@ -102,7 +101,8 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   this->Foreground.Clear(); // smoothing needs the memory
   CarvedForegroundInputs inputs;
   inputs.Smooth = this->Foreground.GetImage();
-  inputs.MakeSmooth = [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); };
+  inputs.EnsureSmoothed = [&](const VoxelBox& box)
+  { return this->Foreground.Smooth(box, monitor); };
   inputs.Points = &this->Surface.Points;
   inputs.Triangles = &this->Surface.Mesh.Triangles;
   inputs.Seed = this->Seed;
@@ -133,7 +133,7 @@ bool DeformingOrgan::FindOthers(const CarvedForegroundInputs& inputs,
 {
   this->Others.clear();
   return carved.Opinions.empty() ||
-    (inputs.MakeSmooth(ConsensusBox(carved.Mask, inputs.Seed)) &&
+    (inputs.EnsureSmoothed(ConsensusBox(carved.Mask, inputs.Seed)) &&
       FindOtherParts(inputs.Smooth, inputs.Seed, inputs.Noise, inputs.Settings, this->OfSeed,
         carved.Mask, carved.Opinions, this->Parallel, monitor, this->Others));
 }
@@ -212,7 +212,7 @@ bool DeformingOrgan::SnapsToEdges() const
 
 PointList DeformingOrgan::FindMotion()
 {
-  if (this->IsAtRest())
+  if (this->HasLevelEnded())
   {
     return PointList::Zero(this->Surface.Points.rows(), 3);
   }
@@ -246,7 +246,7 @@ PointList DeformingOrgan::FindMotion()
   return motion;
 }
 
-// Vertices that stay would hide that others are not at rest.
+// Vertices that stay would hide that others have not converged.
 double DeformingOrgan::MeanDistanceOfMobile() const
 {
   double sum = 0;
@@ -289,7 +289,7 @@ StopReason DeformingOrgan::ReasonToEndLevel() const
     return StopReason::NoBoundaryFound;
   }
   const StopReason reason = this->Settings.Schedule.ReasonToStop(this->Distances, this->Voxel);
-  return reason == StopReason::AtRest && this->IsGrowing() ? StopReason::NotRun : reason;
+  return reason == StopReason::Converged && this->IsGrowing() ? StopReason::NotRun : reason;
 }
 
 void DeformingOrgan::Replace(ContourMesh mesh, PointList points)

@@ -12,7 +12,7 @@
 #include "Deformation/UnchangedPlaces.h"
 #include "Evidence/OtherParts.h"
 #include "Evidence/TissueGrowth.h"
-#include "Intensity/GrowingForeground.h"
+#include "Intensity/OrganForeground.h"
 
 #include <memory>
 #include <optional>
@@ -36,10 +36,9 @@ public:
   /// What errors of a run name the organ by, in front; none by default.
   void SetName(const std::string& name) { this->Name = name; }
 
-  /// Forgets the surface, not the evidence; another call's seconds begin at 0.
-  void Reset() { this->Surface = {}; }
-  /// The same for a further run of the same call, which adds to its seconds.
-  void ResetForNextRun();
+  /// Frees the surface, not the evidence, for another run; `seconds` is what earlier runs of the
+  /// same call took to find the evidence.
+  void ReleaseSurface(double seconds = 0);
 
   // The evidence. Functions that may take long return false if the monitor stopped them.
 
@@ -56,7 +55,7 @@ public:
   void SettleForeground(BitMask mask);
   /// Whether later levels keep the foreground as it is.
   bool IsSettled() const { return this->Settled; }
-  GrowingForeground& GetForeground() { return this->Foreground; }
+  OrganForeground& GetForeground() { return this->Foreground; }
 
   // The surface.
 
@@ -73,12 +72,13 @@ public:
   /// The run that has begun moves nothing in unchanged places.
   void StayIn(const UnchangedPlaces& places);
   void BeginLevel(int level);
-  /// The motion that the next iteration wants; none where the level is at rest.
+  /// The motion that the next iteration wants; none where the level has ended.
   PointList FindMotion();
-  /// Ends the iteration with the vertices where the guard let them go. Not where at rest.
+  /// Ends the iteration with the vertices where the guard let them go. Not where the level has
+  /// ended.
   void Move(PointList points, int guarded, double guardSeconds);
   /// Whether the level has ended for this organ, after the latest iteration; see the reason.
-  bool IsAtRest() const { return this->Surface.Reason != StopReason::NotRun; }
+  bool HasLevelEnded() const { return this->Surface.Reason != StopReason::NotRun; }
   void SetReason(StopReason reason) { this->Surface.Reason = reason; }
   void Replace(ContourMesh mesh, PointList points);
 
@@ -117,7 +117,7 @@ private:
   const OrganSegmentationSettings Settings;
   const ParallelFor& Parallel;
   const double Voxel; // the greatest spacing
-  GrowingForeground Foreground;
+  OrganForeground Foreground;
   TissueGrowth NewTissue;
   IntensityModel OfSeed;
   IntensityModel Model;          // refitted

@@ -10,7 +10,7 @@ namespace
 
 // Replaces the displacements of the listed vertices by the means over their neighbors and
 // themselves. Only vertices that a displacement has reached take part: the others are undecided,
-// which is not the same as at rest.
+// which is not the same as no displacement.
 void Average(const ContourMesh& mesh, const std::vector<int>& vertices, std::vector<char>& reached,
   PointList& displacements)
 {

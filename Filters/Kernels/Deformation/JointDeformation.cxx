@@ -235,14 +235,14 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
       return false;
     }
     if (std::all_of(this->Organs.begin(), this->Organs.end(),
-          [](const DeformingOrgan* organ) { return organ->IsAtRest(); }))
+          [](const DeformingOrgan* organ) { return organ->HasLevelEnded(); }))
     {
       return true;
     }
   }
   for (DeformingOrgan* organ : this->Organs)
   {
-    if (!organ->IsAtRest())
+    if (!organ->HasLevelEnded())
     {
       organ->SetReason(StopReason::IterationLimit);
     }
@@ -276,7 +276,7 @@ void JointDeformation::IterateOnce(const Monitor& proceed)
   }
   for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
   {
-    if (!this->Organs[organ]->IsAtRest())
+    if (!this->Organs[organ]->HasLevelEnded())
     {
       const VertexRange& part = this->Parts[organ];
       const auto guarded =

@@ -202,7 +202,7 @@ bool OrganGroup::Divide(const Monitor& monitor)
   std::vector<OrganClaim> claims;
   for (const auto& member : this->Members)
   {
-    GrowingForeground& foreground = member->Organ().GetForeground();
+    OrganForeground& foreground = member->Organ().GetForeground();
     ConstraintList points = member->Constraints;
     std::copy_if(member->OfOthers.begin(), member->OfOthers.end(), std::back_inserter(points),
       [&](const PointConstraint& point)

@@ -2,7 +2,7 @@
 
 #include "Deformation/DeformingOrgan.h"
 #include "Deformation/JointDeformation.h"
-#include "Deformation/UnconstrainedCorrection.h"
+#include "Deformation/RunScheduler.h"
 #include "Geometry/SelfIntersection.h"
 
 #include <memory>
@@ -17,7 +17,7 @@ struct OrganSegmenter::State
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor)
     : Organ(region, noise, seed, settings, parallelFor)
     , Start(start)
-    , Correction(this->Organ, parallelFor)
+    , Scheduler(this->Organ, parallelFor)
   {
   }
 
@@ -39,7 +39,7 @@ struct OrganSegmenter::State
   ConstraintList PreviewedConstraints;
   std::optional<BitMask> Previewed;
 
-  UnconstrainedCorrection Correction; // keeps the surface without constraints
+  RunScheduler Scheduler; // keeps the surface without constraints
 };
 
 OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
@@ -58,7 +58,7 @@ void OrganSegmenter::SetForeground(BitMask mask)
   this->Kept->HasUncorrected = true;
   this->Kept->IsGiven = true;
   this->Kept->Previewed.reset();
-  this->Kept->Correction.Forget();
+  this->Kept->Scheduler.Release();
 }
 
 DeformingOrgan& OrganSegmenter::GetOrgan()
@@ -107,14 +107,14 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
     return false;
   }
   this->KeepUnconstrained();
-  kept.Organ.ResetForNextRun();
+  kept.Organ.ReleaseSurface(kept.Organ.GetSurface().FeatureSeconds);
   return true;
 }
 
 void OrganSegmenter::KeepUnconstrained()
 {
   const OrganSurface& surface = this->Kept->Organ.GetSurface();
-  this->Kept->Correction.SetSurface({ surface.Mesh, surface.Points });
+  this->Kept->Scheduler.SetSurface({ surface.Mesh, surface.Points });
 }
 
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
@@ -123,7 +123,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  kept.Organ.Reset();
+  kept.Organ.ReleaseSurface();
   if (!this->RunsTwice() && !kept.IsGiven)
   {
     return kept.Organ.FindForegroundOfSeed(monitor) &&
@@ -134,8 +134,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
     return false;
   }
   kept.Organ.SettleForeground(kept.Uncorrected);
-  if (!constraints.empty() && !kept.Correction.HasSurface() &&
-    !this->RunWithoutConstraints(monitor))
+  if (!constraints.empty() && !kept.Scheduler.HasSurface() && !this->RunWithoutConstraints(monitor))
   {
     return false;
   }
@@ -209,7 +208,7 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   if (done)
   {
     const RunStart from = this->StartOf(start);
-    done = this->Kept->Correction.Run({ constraints, from.Surface, from.Level,
+    done = this->Kept->Scheduler.Run({ constraints, from.Surface, from.Level,
       this->Kept->Uncorrected, PartOf(ask, half, 1), observer });
   }
   if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&

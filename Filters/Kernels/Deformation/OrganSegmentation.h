@@ -97,7 +97,7 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  // FindSurface() calls these, and UnconstrainedCorrection::Run():
+  // FindSurface() calls these, and RunScheduler::Run():
   //
   //   FindForeground()
   //     RunAndCarve()              with carving, in the first call: finds what the foreground is

@@ -60,20 +60,20 @@ SeedSphere TakeSeed(const std::string& organ, ConstraintList& constraints)
 
 } // namespace
 
-OrganRuns::OrganRuns(GrayVolume volume, std::string name, Threading threading)
+OrganSession::OrganSession(GrayVolume volume, std::string name, Threading threading)
   : Volume(std::move(volume))
   , Name(std::move(name))
   , Threads(std::move(threading))
 {
 }
 
-void OrganRuns::StartFrom(GivenSurface surface)
+void OrganSession::StartFrom(GivenSurface surface)
 {
   this->Release();
   this->Start = std::move(surface);
 }
 
-SeedSphere OrganRuns::FillLabel(const LabelVolume& labels, int label)
+SeedSphere OrganSession::FillLabel(const LabelVolume& labels, int label)
 {
   this->Release(); // its memory is needed
   this->Filled.reset();
@@ -85,13 +85,13 @@ SeedSphere OrganRuns::FillLabel(const LabelVolume& labels, int label)
   return this->Filled->Ball;
 }
 
-void OrganRuns::Release()
+void OrganSession::Release()
 {
   this->Kept.reset();
   this->MadeOf.clear();
 }
 
-VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
+VolumeSegmenter& OrganSession::Prepare(const SeedSphere& seed, bool fills,
   const VolumeSegmentationSettings& settings)
 {
   std::vector<double> key = KeyOf(seed, fills, settings);
@@ -102,7 +102,6 @@ VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
   this->Release(); // before another one takes memory
   RequireNumbers(settings);
   RequireVoxels(this->Volume.Geometry, this->Name);
-  RequireSeed(this->Volume.Geometry, seed, this->Name);
   std::optional<DeformableSurface> start;
   if (this->Start)
   {
@@ -118,7 +117,7 @@ VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
   return *this->Kept;
 }
 
-OrganAnswer OrganRuns::Answer(const OrganRequest& request, const Monitor& monitor,
+OrganAnswer OrganSession::Segment(const OrganRequest& request, const Monitor& monitor,
   const IterationObserver& observer)
 {
   const bool fills = !request.Seed;
@@ -155,7 +154,7 @@ OrganAnswer OrganRuns::Answer(const OrganRequest& request, const Monitor& monito
   return answer;
 }
 
-std::optional<std::vector<VoxelRun>> OrganRuns::Preview(const PointConstraint& point,
+std::optional<std::vector<VoxelRun>> OrganSession::Preview(const PointConstraint& point,
   const Monitor& monitor)
 {
   return this->Kept ? this->Kept->Preview(this->Constraints, point, monitor) : std::nullopt;

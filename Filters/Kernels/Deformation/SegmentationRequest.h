@@ -22,7 +22,7 @@ namespace FlipFree
 /// Of one organ.
 struct OrganRequest
 {
-  std::optional<SeedSphere> Seed; ///< none to fill the label (OrganRuns::FillLabel())
+  std::optional<SeedSphere> Seed; ///< none to fill the label (OrganSession::FillLabel())
   ConstraintList Constraints;     ///< a further seed that is larger takes the place of the seed
   VolumeSegmentationSettings Settings;
 };
@@ -36,14 +36,14 @@ struct OrganAnswer
 
 /// Segments an organ of a volume, again and again. What constraints do not change is kept from run
 /// to run while seed and settings stay the same. The result does not depend on what is kept.
-class OrganRuns
+class OrganSession
 {
 public:
   /// The volume's voxels outlive the object; `name` is the volume's.
-  OrganRuns(GrayVolume volume, std::string name, Threading threading);
+  OrganSession(GrayVolume volume, std::string name, Threading threading);
   // Neither copied nor moved, as the VolumeSegmenter that it keeps.
-  OrganRuns(const OrganRuns&) = delete;
-  OrganRuns& operator=(const OrganRuns&) = delete;
+  OrganSession(const OrganSession&) = delete;
+  OrganSession& operator=(const OrganSession&) = delete;
 
   /// Starts from a surface in place of a sphere.
   void StartFrom(GivenSurface surface);
@@ -56,13 +56,13 @@ public:
   /// Throws Error for a volume, seed, surface or parameter that cannot be used, and whatever
   /// VolumeSegmenter::Segment() throws. The observer, which may be null, sees the iterations if
   /// their history is to be kept. Nothing is kept of a run that was aborted.
-  OrganAnswer Answer(const OrganRequest& request, const Monitor& monitor,
+  OrganAnswer Segment(const OrganRequest& request, const Monitor& monitor,
     const IterationObserver& observer);
 
   /// The voxels that would change sides by one more inside or outside point than the last run's;
   /// the surface follows them as far as it can. No surface is deformed. None before the first run,
   /// without carving, and for points beyond the region of the last run.
-  /// Throws as Answer() does for a point that cannot be used.
+  /// Throws as Segment() does for a point that cannot be used.
   std::optional<std::vector<VoxelRun>> Preview(const PointConstraint& point,
     const Monitor& monitor);
 
@@ -114,7 +114,7 @@ struct GroupAnswer
   std::string Provenance;                  ///< of all surfaces
 };
 
-/// `name` is the volume's. Throws Error as OrganRuns::Answer() and OrganGroup do, also where an
+/// `name` is the volume's. Throws Error as OrganSession::Segment() and OrganGroup do, also where an
 /// organ has no seed, or where labels do not suffice.
 GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,
   const GroupRequest& request, const Threading& threading, const Monitor& monitor);

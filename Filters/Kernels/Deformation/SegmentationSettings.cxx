@@ -17,7 +17,7 @@ StopReason ScheduleSettings::ReasonToStop(const std::vector<double>& distances, 
     return StopReason::NotRun;
   }
   const double before = distances[distances.size() - 1 - ChangeSpan];
-  return before - distances.back() < voxel * this->ChangeTolerance ? StopReason::AtRest
+  return before - distances.back() < voxel * this->ChangeTolerance ? StopReason::Converged
                                                                    : StopReason::NotRun;
 }
 

@@ -32,8 +32,9 @@ struct ScheduleSettings
   double ChangeTolerance = 0.02;
   static constexpr std::size_t ChangeSpan = 5;
 
-  /// The same rule for the mean distances so far, one per iteration: DistanceBelowTolerance, AtRest
-  /// if they no longer fall, or NotRun if the level goes on. `voxel` is the greatest spacing.
+  /// The same rule for the mean distances so far, one per iteration: DistanceBelowTolerance,
+  /// Converged if they no longer fall, or NotRun if the level goes on. `voxel` is the greatest
+  /// spacing.
   StopReason ReasonToStop(const std::vector<double>& distances, double voxel) const;
 
   /// How many levels there are: those that would begin with fewer than two vertices along an edge

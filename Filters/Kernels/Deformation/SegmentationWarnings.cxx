@@ -4,8 +4,8 @@
 #include "Deformation/StartMask.h"
 #include "Evidence/SurfaceConfidence.h"
 #include "Image/VoxelOffsets.h"
-#include "Intensity/RobustStatistics.h"
 #include "MessageText.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>

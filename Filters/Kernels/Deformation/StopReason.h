@@ -11,7 +11,7 @@ enum class StopReason
 {
   NotRun,                 ///< nothing has been segmented
   DistanceBelowTolerance, ///< the mean distance to the targets is small enough
-  AtRest,                 ///< the mean distance no longer falls
+  Converged,              ///< the mean distance no longer falls
   IterationLimit,
   NoBoundaryFound, ///< by any vertex; takes precedence over NotRefined
   NotRefined,      ///< the coarse surface could not be refined without intersecting itself
@@ -24,7 +24,7 @@ inline StopReason ReasonOfUnrefined(StopReason reason)
   return reason == StopReason::NoBoundaryFound ? reason : StopReason::NotRefined;
 }
 
-/// In words, such as "at rest"; empty for NotRun.
+/// In words, such as "converged"; empty for NotRun.
 inline const char* ToString(StopReason reason)
 {
   switch (reason)
@@ -33,8 +33,8 @@ inline const char* ToString(StopReason reason)
       return "";
     case StopReason::DistanceBelowTolerance:
       return "distance below tolerance";
-    case StopReason::AtRest:
-      return "at rest";
+    case StopReason::Converged:
+      return "converged";
     case StopReason::IterationLimit:
       return "iteration limit";
     case StopReason::NoBoundaryFound:

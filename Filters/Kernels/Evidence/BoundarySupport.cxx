@@ -2,6 +2,7 @@
 
 #include "Image/NoData.h"
 #include "Intensity/GrayValueSimilarity.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,14 +56,7 @@ public:
         contrasts.push_back(*contrast);
       }
     }
-    if (contrasts.empty())
-    {
-      return 0;
-    }
-    const auto place = contrasts.begin() +
-      static_cast<std::ptrdiff_t>(Tail * static_cast<double>(contrasts.size() - 1));
-    std::nth_element(contrasts.begin(), place, contrasts.end());
-    return *place;
+    return contrasts.empty() ? 0 : TakeQuantile(contrasts, Tail);
   }
 
 private:

@@ -30,9 +30,9 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   carved.Candidate = enclosed;
   BitMask& mask = carved.Mask;
   CarvingReport& report = carved.Report;
-  if (!AddForeground(smooth, inputs.MakeSmooth, seed, inputs.Noise, settings, {}, parallelFor,
+  if (!AddForeground(smooth, inputs.EnsureSmoothed, seed, inputs.Noise, settings, {}, parallelFor,
         PartOf(monitor, 0.1, 0.2), carved.Candidate) ||
-    !inputs.MakeSmooth(CarvingBox(carved.Candidate, seed)) ||
+    !inputs.EnsureSmoothed(CarvingBox(carved.Candidate, seed)) ||
     !CarveOrgan(smooth, carved.Candidate, &enclosed, seed, inputs.Noise, settings.Modality,
       parallelFor, PartOf(monitor, 0.2, 0.4), mask, report.Doubts))
   {
@@ -41,14 +41,14 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   FurtherOpinions opinions;
   const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(enclosed, mask);
   if (seeks &&
-    !(inputs.MakeSmooth(ConsensusBox(mask, seed)) &&
+    !(inputs.EnsureSmoothed(ConsensusBox(mask, seed)) &&
       SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor, PartOf(monitor, 0.4, 0.95),
         mask, opinions)))
   {
     return false;
   }
   BitMask removed = mask;
-  if (!CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
+  if (!CarveVenaCava(smooth, inputs.EnsureSmoothed, inside, seed, settings.Modality, parallelFor,
         PartOf(monitor, 0.95, 1), mask) ||
     !CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, mask))
   {

@@ -17,8 +17,8 @@ namespace FlipFree
 /// What is known of the organ. The surface's points and triangles must outlive it.
 struct CarvedForegroundInputs
 {
-  ImageView<float> Smooth; ///< the smoothed image
-  ImageMaker MakeSmooth;   ///< is called before voxels of it are read
+  ImageView<float> Smooth;   ///< the smoothed image
+  ImageMaker EnsureSmoothed; ///< is called before voxels of it are read
   const PointList* Points = nullptr;
   const TriangleList* Triangles = nullptr;
   SeedSphere Seed;

@@ -1,8 +1,8 @@
 #include "Evidence/TissueGrowth.h"
 
 #include "Image/VoxelOffsets.h"
-#include "Intensity/GrowingForeground.h"
 #include "Intensity/ModelFit.h"
+#include "Intensity/OrganForeground.h"
 
 #include <algorithm>
 
@@ -60,7 +60,7 @@ bool TissueGrowth::Grow(const Eigen::Vector3d& place, const Monitor& monitor, Gr
     geometry.ToPhysical(Eigen::Vector3d(nearest[0], nearest[1], nearest[2]));
   const SeedSphere seed{ center,
     std::max(TissueSeed, TissueSeedVoxels * geometry.Spacing.minCoeff()) };
-  GrowingForeground growing(this->Region, seed, this->Settings, 0, this->Parallel);
+  OrganForeground growing(this->Region, seed, this->Settings, 0, this->Parallel);
   if (!growing.SmoothAroundSeed(monitor))
   {
     return false;

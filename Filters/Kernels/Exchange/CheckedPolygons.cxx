@@ -1,7 +1,7 @@
 #include "Exchange/CheckedPolygons.h"
 
 #include "Exchange/FileProblem.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <climits>
 #include <cmath>

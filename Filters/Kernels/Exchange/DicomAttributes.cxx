@@ -1,6 +1,6 @@
 #include "Exchange/DicomAttributes.h"
 
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <cmath>
 #include <locale>

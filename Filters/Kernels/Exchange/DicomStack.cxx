@@ -1,6 +1,7 @@
 #include "Exchange/DicomStack.h"
 
 #include "MessageText.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +38,7 @@ double MedianGap(const std::vector<double>& places)
   {
     gaps.push_back(places[index] - places[index - 1]);
   }
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>((gaps.size() - 1) / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return *middle;
+  return TakeQuantile(gaps, 0.5);
 }
 
 /// Why gaps between neighbors are not even; empty where they are, but for half of the usual one.

@@ -4,7 +4,7 @@
 #ifndef FlipFreeFileNames_h
 #define FlipFreeFileNames_h
 
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 #include "Exchange/HeaderField.h"
 
-#include "Exchange/TextWords.h"
 #include "MessageText.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <climits>

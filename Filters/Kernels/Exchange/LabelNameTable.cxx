@@ -3,7 +3,7 @@
 #include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
 #include "Exchange/TableText.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <climits>

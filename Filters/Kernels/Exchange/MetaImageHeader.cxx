@@ -1,8 +1,8 @@
 #include "Exchange/MetaImageHeader.h"
 
 #include "Exchange/HeaderField.h"
-#include "Exchange/TextWords.h"
 #include "MessageText.h"
+#include "TextWords.h"
 
 #include <climits>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "Exchange/NrrdGeometry.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include "MessageText.h"
 

@@ -2,7 +2,7 @@
 
 #include "Exchange/HeaderField.h"
 #include "Exchange/NrrdGeometry.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <climits>

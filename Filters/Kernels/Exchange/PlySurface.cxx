@@ -1,5 +1,5 @@
 #include "Exchange/PolygonFile.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cstdint>

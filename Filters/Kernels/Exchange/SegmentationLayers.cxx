@@ -1,8 +1,8 @@
 #include "Exchange/SegmentationLayers.h"
 
 #include "Exchange/FileProblem.h"
-#include "Exchange/TextWords.h"
 #include "Suggestion.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cctype>

@@ -2,7 +2,7 @@
 
 #include "Exchange/FileNames.h"
 #include "Exchange/FileProblem.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 #include "Exchange/MetaImageHeader.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/NrrdHeader.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cctype>

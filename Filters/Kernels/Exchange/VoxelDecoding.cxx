@@ -2,7 +2,7 @@
 
 #include "Exchange/ByteOrder.h"
 #include "Exchange/HeaderField.h"
-#include "Exchange/TextWords.h"
+#include "TextWords.h"
 
 #include <algorithm>
 #include <cmath>

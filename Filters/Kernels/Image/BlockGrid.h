@@ -78,8 +78,7 @@ struct BlockGrid
 
   Eigen::Vector3d CenterOf(std::size_t block) const
   {
-    const std::array<int, 3> index = IndexOf(block, this->Blocks);
-    return this->Blocks.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+    return FlipFree::CenterOf(block, this->Blocks);
   }
 
   /// Inserts the voxels of block (i, j, k) into a mask of the voxels, or removes them.

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "Image/PointCheck.h"
 #include "MessageText.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,9 +99,7 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
   {
     return -1;
   }
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return *middle;
+  return TakeMedian(differences);
 }
 
 } // namespace

@@ -20,6 +20,13 @@ inline std::array<int, 3> IndexOf(std::size_t voxel, const ImageGeometry& geomet
     static_cast<int>(voxel / row / rows) } };
 }
 
+/// Where the voxel's center is.
+inline Eigen::Vector3d CenterOf(std::size_t voxel, const ImageGeometry& geometry)
+{
+  const std::array<int, 3> index = IndexOf(voxel, geometry);
+  return geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+}
+
 /// How far the next voxel is along each axis.
 inline std::array<std::ptrdiff_t, 3> StepsOf(const ImageGeometry& geometry)
 {

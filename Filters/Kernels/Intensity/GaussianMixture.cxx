@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <Eigen/Dense>
 
@@ -57,9 +58,7 @@ double TypicalStep(const std::vector<float>& values)
   {
     return 0;
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return TakeMedian(steps);
 }
 
 // No unit of gray values is assumed: images may be in Hounsfield units or between 0 and 1.
@@ -77,14 +76,8 @@ double GrainOf(const std::vector<float>& values, double low, double high)
 // range is therefore that of the bulk, widened; values beyond count in the outermost bins.
 Histogram MakeHistogram(std::vector<float> values)
 {
-  const auto quantile = [&values](double q)
-  {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return static_cast<double>(*place);
-  };
-  const double low = quantile(0.02);
-  const double high = quantile(0.98);
+  const double low = TakeQuantile(values, 0.02);
+  const double high = TakeQuantile(values, 0.98);
   const double margin = 0.5 * (high - low) + 1e-6 * (std::abs(low) + std::abs(high)) +
     std::numeric_limits<float>::min();
   const double begin = low - margin;

@@ -1,6 +1,7 @@
 #include "Intensity/IntensityField.h"
 
 #include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +39,7 @@ double MedianMagnitude(const Eigen::VectorXd& values)
   {
     magnitudes.push_back(std::abs(value));
   }
-  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  return *middle;
+  return TakeMedian(magnitudes);
 }
 
 } // namespace

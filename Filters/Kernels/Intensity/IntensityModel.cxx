@@ -1,5 +1,7 @@
 #include "Intensity/IntensityModel.h"
 
+#include "Quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -229,13 +231,7 @@ float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, c
       const float* const row = &image(first[0], first[1] + j, first[2] + k);
       std::copy_if(row + begin, row + end, std::back_inserter(values), HasData);
     });
-  if (values.empty())
-  {
-    return 0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? 0 : TakeMedian(values);
 }
 
 } // namespace FlipFree

@@ -1,6 +1,6 @@
 #include "Intensity/Modality.h"
 
-#include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <algorithm>
 

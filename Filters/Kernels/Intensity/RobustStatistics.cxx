@@ -1,21 +1,12 @@
 #include "Intensity/RobustStatistics.h"
 
+#include "Quantile.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace FlipFree
 {
-namespace
-{
-
-float TakeMedian(std::vector<float>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-} // namespace
 
 RobustStatistics RobustStatisticsOf(std::vector<float>& values)
 {
@@ -33,14 +24,6 @@ RobustStatistics RobustStatisticsOf(std::vector<float>& values)
     value = std::abs(value - median);
   }
   return { median, normal * TakeMedian(values) };
-}
-
-float TakeQuantile(std::vector<float>& values, double part)
-{
-  const auto place =
-    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 } // namespace FlipFree

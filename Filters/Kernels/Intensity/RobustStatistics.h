@@ -1,5 +1,5 @@
 /**
- * Location, scale and quantiles of gray values, which outliers hardly affect.
+ * Location and scale of gray values, which outliers hardly affect.
  */
 #ifndef FlipFreeRobustStatistics_h
 #define FlipFreeRobustStatistics_h
@@ -22,10 +22,6 @@ struct RobustStatistics
 
 /// Values that are not finite do not count; without any, all is zero. Uses up the values.
 RobustStatistics RobustStatisticsOf(std::vector<float>& values);
-
-/// The value that `part` of the values, 0 to 1, are not above; there is at least one, and all are
-/// finite. Changes their order.
-float TakeQuantile(std::vector<float>& values, double part);
 
 } // namespace FlipFree
 

@@ -69,6 +69,36 @@ const OrganSeed OrganSeeds[] = { { AbdomenLabel::Spleen, { 89.5, 15, 2.5 }, 13.8
 
 } // namespace
 
+const char* NameOf(AbdomenLabel organ)
+{
+  switch (organ)
+  {
+    case AbdomenLabel::Spleen:
+      return "spleen";
+    case AbdomenLabel::RightKidney:
+      return "right kidney";
+    case AbdomenLabel::LeftKidney:
+      return "left kidney";
+    case AbdomenLabel::Gallbladder:
+      return "gallbladder";
+    case AbdomenLabel::Esophagus:
+      return "esophagus";
+    case AbdomenLabel::Liver:
+      return "liver";
+    case AbdomenLabel::Stomach:
+      return "stomach";
+    case AbdomenLabel::Aorta:
+      return "aorta";
+    case AbdomenLabel::VenaCava:
+      return "vena cava";
+    case AbdomenLabel::PortalVein:
+      return "portal vein";
+    case AbdomenLabel::Pancreas:
+      return "pancreas";
+  }
+  return "";
+}
+
 Phantom MakeAbdomenPhantom(const Vector3d& extent, const AbdomenOptions& options)
 {
   Phantom phantom;

@@ -30,6 +30,9 @@ enum class AbdomenLabel : std::uint8_t
   Pancreas = 11
 };
 
+/// In words, such as "right kidney".
+const char* NameOf(AbdomenLabel organ);
+
 struct AbdomenOptions
 {
   int Lesions = 0;        ///< dark round lesions in the liver

@@ -48,6 +48,11 @@ ParameterTable<PhantomSettings> MakeTable()
 
 } // namespace
 
+const char* NameOfPhantomLabel(int shape, int label)
+{
+  return shape == AbdomenShape ? NameOf(static_cast<AbdomenLabel>(label)) : "object";
+}
+
 const ParameterTable<PhantomSettings>& PhantomParameters()
 {
   static const ParameterTable<PhantomSettings> table = MakeTable();

@@ -28,6 +28,9 @@ struct PhantomSettings
 
 constexpr int AbdomenShape = 5;
 
+/// What the label of a seed stands for: an organ of the abdomen, or "object".
+const char* NameOfPhantomLabel(int shape, int label);
+
 const ParameterTable<PhantomSettings>& PhantomParameters();
 
 /// Throws Error for settings that make no grid.

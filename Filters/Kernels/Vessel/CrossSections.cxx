@@ -1,6 +1,7 @@
 #include "Vessel/CrossSections.h"
 
 #include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 #include "Vessel/Polyline.h"
 #include "Vessel/SectionRays.h"
 #include "Vessel/SectionSupport.h"
@@ -107,10 +108,8 @@ private:
       deviations.push_back(statistics.StandardDeviation);
     }
     this->Medians = MedianAlong(medians, this->Settings.IntensityWindow);
-    const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    this->Deviation =
-      std::min(this->Settings.MaximumDeviation, std::max(this->Settings.MinimumDeviation, *middle));
+    this->Deviation = std::min(this->Settings.MaximumDeviation,
+      std::max(this->Settings.MinimumDeviation, TakeMedian(deviations)));
   }
 
   void FitOnce(int round)
@@ -340,9 +339,7 @@ private:
             near.push_back(before(other, side));
           }
         }
-        const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-        std::nth_element(near.begin(), middle, near.end());
-        this->Radii(section, ray) = *middle;
+        this->Radii(section, ray) = TakeMedian(near);
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "Vessel/MinimalPaths.h"
 
 #include "Error.h"
+#include "Image/VoxelOffsets.h"
 #include "MessageText.h"
 #include "Vessel/FastMarching.h"
 #include "Vessel/Polyline.h"
@@ -61,8 +62,7 @@ private:
     for (std::size_t place = 0; place < voxels.size(); ++place)
     {
       const std::size_t voxel = voxels[place];
-      line.row(static_cast<Eigen::Index>(place)) =
-        this->Speed.Geometry.ToPhysical(IndexOf(this->Speed.Geometry, voxel));
+      line.row(static_cast<Eigen::Index>(place)) = CenterOf(voxel, this->Speed.Geometry);
     }
     return line;
   }

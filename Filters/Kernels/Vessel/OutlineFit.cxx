@@ -134,7 +134,7 @@ private:
       {
         if (before - report.MeanDistance < 0.05 * voxel)
         {
-          return StopReason::AtRest;
+          return StopReason::Converged;
         }
         before = report.MeanDistance;
       }

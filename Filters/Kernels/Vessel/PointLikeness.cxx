@@ -2,6 +2,7 @@
 
 #include "Image/SeedRegion.h"
 #include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "Vessel/Polyline.h"
 
+#include "Quantile.h"
+
 #include <algorithm>
 
 namespace FlipFree
@@ -117,9 +119,7 @@ Eigen::VectorXd MedianAlong(const Eigen::VectorXd& values, int reach)
     const Eigen::Index first = std::max<Eigen::Index>(0, place - reach);
     const Eigen::Index last = std::min(values.size() - 1, place + reach);
     window.assign(values.data() + first, values.data() + last + 1);
-    const auto middle = window.begin() + static_cast<std::ptrdiff_t>(window.size() / 2);
-    std::nth_element(window.begin(), middle, window.end());
-    medians[place] = *middle;
+    medians[place] = TakeMedian(window);
   }
   return medians;
 }

@@ -1,7 +1,7 @@
 #include "Vessel/ScaleToCT.h"
 
 #include "Image/NoData.h"
-#include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "Vessel/TubeOccupancy.h"
 
+#include "Image/VoxelOffsets.h"
 #include "Vessel/VesselImage.h"
 
 #include <algorithm>
@@ -132,8 +133,8 @@ void MergeTubeDepth(const VesselSections& sections, double margin, bool openStar
         .ForEach(
           [&](std::size_t voxel, int section)
           {
-            const double inside = DepthAt(sections, section, openStart, openEnd,
-              geometry.ToPhysical(IndexOf(geometry, voxel)));
+            const double inside =
+              DepthAt(sections, section, openStart, openEnd, CenterOf(voxel, geometry));
             depth.Voxels[voxel] =
               std::max(depth.Voxels[voxel], static_cast<float>(std::max(-margin, inside)));
           });

@@ -73,14 +73,6 @@ void ContinueLine(float* first, int size, std::ptrdiff_t step)
 
 } // namespace
 
-Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel)
-{
-  const std::size_t row = voxel / geometry.Dimensions[0];
-  const std::size_t slice = row / geometry.Dimensions[1];
-  return { static_cast<double>(voxel % geometry.Dimensions[0]),
-    static_cast<double>(row % geometry.Dimensions[1]), static_cast<double>(slice) };
-}
-
 void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor)
 {
   SmoothGaussian(image.Voxels, image.Geometry, deviation, parallelFor);
@@ -172,7 +164,7 @@ VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
     });
   for (std::size_t cube = 0; cube < image.Cubes.Voxels.size() && !isComplete; ++cube)
   {
-    const auto [i, j, k] = NearestVoxel(voxels.Geometry, cubes.ToPhysical(IndexOf(cubes, cube)));
+    const auto [i, j, k] = NearestVoxel(voxels.Geometry, CenterOf(cube, cubes));
     if (withoutData(i, j, k))
     {
       image.WithoutData.push_back(cube);

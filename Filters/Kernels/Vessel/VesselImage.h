@@ -19,9 +19,6 @@ struct VesselImage
   std::vector<std::size_t> WithoutData;
 };
 
-/// Where a voxel is, given its offset.
-Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel);
-
 /// Averages over a Gaussian window of the image alone; what lies beyond its rim does not count.
 void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor);
 

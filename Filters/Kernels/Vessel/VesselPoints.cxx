@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "Image/NoData.h"
 #include "Image/PointCheck.h"
+#include "Image/VoxelOffsets.h"
 #include "MessageText.h"
 
 #include <algorithm>
@@ -82,7 +83,7 @@ PointList Snap(const VesselImage& image, const PointList& points, double distanc
         !std::binary_search(image.WithoutData.begin(), image.WithoutData.end(), voxel))
       {
         brightest = cubes.Data[voxel];
-        snapped.row(point) = cubes.Geometry.ToPhysical(IndexOf(cubes.Geometry, voxel));
+        snapped.row(point) = CenterOf(voxel, cubes.Geometry);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "Image/ImageInterpolation.h"
 #include "MessageText.h"
+#include "Quantile.h"
 #include "Vessel/MinimalPaths.h"
 #include "Vessel/PointLikeness.h"
 #include "Vessel/Polyline.h"
@@ -42,9 +43,8 @@ Eigen::VectorXd FirstRadii(const FloatImage& depth, const PointList& line)
     along[place] =
       InterpolateClamped(depth.View(), depth.Geometry.ToIndex(line.row(place).transpose()));
   }
-  Eigen::VectorXd sorted = along;
-  std::nth_element(sorted.data(), sorted.data() + sorted.size() / 2, sorted.data() + sorted.size());
-  return (1.15 * MedianAlong(along, 4)).cwiseMin(1.5 * sorted[sorted.size() / 2]).cwiseMax(1.0);
+  std::vector<double> values(along.data(), along.data() + along.size());
+  return (1.15 * MedianAlong(along, 4)).cwiseMin(1.5 * TakeMedian(values)).cwiseMax(1.0);
 }
 
 // At the centers of sections, which may lie where no path enters.

@@ -6,6 +6,7 @@
 #include "Measures/ScoreParameters.h"
 #include "Measures/SegmentationScores.h"
 #include "Mesh/SurfaceTopology.h"
+#include "TextWords.h"
 
 #include <emscripten/bind.h>
 
@@ -18,13 +19,11 @@ namespace
 {
 
 // A column's name as a field of JavaScript: segmentationVolume, and of abbreviations asd and hd95.
-std::string FieldName(std::string name)
+std::string FieldName(const std::string& name)
 {
   const bool isAbbreviation = std::none_of(name.begin(), name.end(),
     [](unsigned char letter) { return std::islower(letter) != 0; });
-  std::transform(name.begin(), isAbbreviation ? name.end() : name.begin() + 1, name.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return name;
+  return isAbbreviation ? InSmallLetters(name) : WithSmallFirst(name);
 }
 
 val ObjectOf(const SegmentationScores& scores)

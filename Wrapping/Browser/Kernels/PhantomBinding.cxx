@@ -10,9 +10,10 @@ namespace FlipFree
 namespace
 {
 
-val SeedOf(const ImageGeometry& grid, const PhantomSeed& organ)
+val SeedOf(const ImageGeometry& grid, int shape, const PhantomSeed& organ)
 {
   val seed = val::object();
+  seed.set("name", std::string(NameOfPhantomLabel(shape, organ.Label)));
   seed.set("label", static_cast<int>(organ.Label));
   seed.set("center", ArrayOf(GridToPhysical(grid, organ.Start.Center)));
   seed.set("radius", organ.Start.Radius);
@@ -35,7 +36,7 @@ val MakePhantom(const val& parameters, const val& report)
       val seeds = val::array();
       for (const PhantomSeed& organ : phantom.Seeds)
       {
-        seeds.call<void>("push", SeedOf(grid, organ));
+        seeds.call<void>("push", SeedOf(grid, settings.Shape, organ));
       }
       val answer = val::object();
       answer.set("voxels", ArrayOf(intensities));

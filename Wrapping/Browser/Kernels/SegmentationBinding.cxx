@@ -56,11 +56,11 @@ val ListOf(const std::vector<DoubtfulPart>& questions)
   return val::array(list);
 }
 
-// Runs on one volume, which they read.
-class Runs
+// Segments one organ of a volume, which it reads, again and again.
+class VolumeSession
 {
 public:
-  explicit Runs(const std::shared_ptr<Volume>& image)
+  explicit VolumeSession(const std::shared_ptr<Volume>& image)
     : Image(image)
     , Organ(GrayVolumeOf(*image), ImageName, Threading())
   {
@@ -97,7 +97,7 @@ public:
         SetParameters(SegmentationParameters(), parameters, request.Settings);
         try
         {
-          OrganAnswer found = this->Organ.Answer(request, MonitorOf(report), nullptr);
+          OrganAnswer found = this->Organ.Segment(request, MonitorOf(report), nullptr);
           VolumeSegmentation& result = found.Result;
           if (numbers.empty() && !this->StartWarning.empty())
           {
@@ -143,7 +143,7 @@ public:
 
 private:
   const std::shared_ptr<Volume> Image;
-  OrganRuns Organ;
+  OrganSession Organ;
   std::string StartWarning; // of the label that runs without a seed fill
 };
 
@@ -157,11 +157,11 @@ val DefaultParameters(const std::string& preset)
 void BindSegmentation()
 {
   emscripten::function("segmentationParameters", &DefaultParameters);
-  emscripten::class_<Runs>("OrganRuns")
+  emscripten::class_<VolumeSession>("OrganSession")
     .constructor<std::shared_ptr<Volume>>()
-    .function("setStart", &Runs::SetStart)
-    .function("segment", &Runs::Segment)
-    .function("preview", &Runs::Preview);
+    .function("setStart", &VolumeSession::SetStart)
+    .function("segment", &VolumeSession::Segment)
+    .function("preview", &VolumeSession::Preview);
 }
 
 } // namespace FlipFree

@@ -37,8 +37,8 @@ interface KernelVolume {
 
 type Report = (fraction: number) => boolean;
 
-/** Runs on one volume; it keeps what the corrections of the last organ do not change. */
-interface OrganRuns {
+/** Segments one organ of a volume, again and again; it keeps what the corrections of the last organ do not change. */
+interface OrganSession {
   setStart(labels: KernelVolume, label: number): Answer<KernelSeed>;
   segment(
     seed: number[],
@@ -68,7 +68,7 @@ interface KernelPhantom {
   spacing: Float64Array;
   origin: Float64Array;
   direction: Float64Array;
-  seeds: { label: number; center: Float64Array; radius: number }[];
+  seeds: { name: string; label: number; center: Float64Array; radius: number }[];
 }
 
 /** The module that emscripten makes of Kernels/. */
@@ -77,7 +77,7 @@ export interface KernelModule extends KernelFiles, KernelDicom {
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
-  OrganRuns: new (volume: KernelVolume) => OrganRuns;
+  OrganSession: new (volume: KernelVolume) => OrganSession;
   vesselParameters(): KernelParameter[];
   trace(volume: KernelVolume, points: number[], values: Record<string, number[]>, report: Report): Answer<Vessel>;
   scoreParameters(): KernelParameter[];
@@ -108,7 +108,7 @@ function triple(numbers: ArrayLike<number>): [number, number, number] {
 
 export class Engine {
   private volume?: KernelVolume;
-  private runs?: OrganRuns;
+  private session?: OrganSession;
   private isStarted = false; // whether there is a label to fill
 
   private constructor(private readonly kernels: KernelModule) {}
@@ -139,26 +139,26 @@ export class Engine {
 
   /** Takes a copy of the image that `segment` works on. */
   setImage(image: Image): void {
-    this.runs?.delete();
+    this.session?.delete();
     this.volume?.delete();
-    this.runs = undefined;
+    this.session = undefined;
     this.volume = undefined;
     this.isStarted = false;
     this.volume = this.copy(image);
-    this.runs = new this.kernels.OrganRuns(this.volume);
+    this.session = new this.kernels.OrganSession(this.volume);
   }
 
   /** Takes the label that runs without a seed fill. */
   setStart({ labels, label = 1 }: StartLabels): void {
-    const { runs } = this;
-    if (!runs) {
+    const { session } = this;
+    if (!session) {
       throw new FlipFreeError("There is no image");
     }
     if (!Number.isInteger(label) || label < 0) {
       throw new FlipFreeError(`label: give a whole number from 0 on, not ${label}`);
     }
     this.isStarted = false;
-    this.withVolume(labels, (volume) => this.checked(runs.setStart(volume, label)));
+    this.withVolume(labels, (volume) => this.checked(session.setStart(volume, label)));
     this.isStarted = true;
   }
 
@@ -170,7 +170,7 @@ export class Engine {
     corrections: Corrections = {},
     report: Report = goOn,
   ): Organ {
-    if (!this.runs) {
+    if (!this.session) {
       throw new FlipFreeError("There is no image");
     }
     if (!seed && !this.isStarted) {
@@ -180,7 +180,7 @@ export class Engine {
     const values = kernelValues(parameters, known);
     const points = correctionNumbers(corrections);
     const start = seed ? [...seed.center, seed.radius] : [];
-    const organ = this.worded(this.runs.segment(start, preset, values, points, report), known);
+    const organ = this.worded(this.session.segment(start, preset, values, points, report), known);
     return {
       ...organ,
       seed: { center: triple(organ.seed.center), radius: organ.seed.radius },
@@ -190,11 +190,11 @@ export class Engine {
 
   /** Of one inside or outside point more than the last organ has; null where what is kept of it does not tell. */
   preview(point: PreviewPoint): Preview | null {
-    if (!this.runs) {
+    if (!this.session) {
       throw new FlipFreeError("There is no image");
     }
     const corrections = "inside" in point ? { inside: [point.inside] } : { outside: [point.outside] };
-    const { isKnown, runs, volume } = this.checked(this.runs.preview(correctionNumbers(corrections)));
+    const { isKnown, runs, volume } = this.checked(this.session.preview(correctionNumbers(corrections)));
     return isKnown ? { runs, volume } : null;
   }
 
@@ -265,7 +265,7 @@ export class Engine {
       image: { ...grid, voxels: made.voxels },
       labelMap: { ...grid, voxels: made.labels },
       seeds: made.seeds.map(
-        ({ label, center, radius }): PhantomSeed => ({ label, center: triple(center), radius }),
+        ({ name, label, center, radius }): PhantomSeed => ({ name, label, center: triple(center), radius }),
       ),
     };
   }

@@ -1,6 +1,6 @@
 /** Results as files of surfaces, as the command writes them: coordinates in LPS millimeters, and where they come from. */
 import { type OriginNames, namedProvenance } from "./provenance.js";
-import type { Organ, Surface, Vessel } from "./types.js";
+import { type Organ, type Surface, type Vessel, isOrgan } from "./types.js";
 
 export const surfaceFormats = ["vtp", "stl", "ply"] as const;
 export type SurfaceFormat = (typeof surfaceFormats)[number];
@@ -104,7 +104,7 @@ export function vtpFile(result: Organ | Vessel, names: OriginNames = {}): Blob {
     `<Array type="String" Name="${name}" NumberOfTuples="1" ${append(new TextEncoder().encode(`${value}\0`))}/>`;
   const fields = [number("Certified", Number(certified)), text("Provenance", namedProvenance(provenance, names))];
   const pointData: string[] = [];
-  if ("vertexConfidence" in result) {
+  if (isOrgan(result)) {
     fields.push(number("Confidence", result.confidence));
     pointData.push(array("Float32", "Confidence", result.vertexConfidence));
   }

@@ -130,7 +130,7 @@ export interface Segmentation {
   comments: string[];
   /** The voxels inside as runs of four numbers: j, k, the first i, and one past the last i. */
   runs: Int32Array;
-  /** Why the iterations ended, such as "at rest". */
+  /** Why the iterations ended, such as "converged". */
   stopReason: string;
   /** Pairs of faces that intersect for some cut of the quads; 0 wherever the guard is on. */
   selfIntersections: number;
@@ -194,6 +194,11 @@ export interface Vessel extends Segmentation {
   confidence: number;
 }
 
+/** Whether an organ was found, not a vessel. */
+export function isOrgan(result: Organ | Vessel): result is Organ {
+  return "vertexConfidence" in result;
+}
+
 export interface Scores {
   dice: number;
   jaccard: number;
@@ -213,6 +218,8 @@ export interface Scores {
 }
 
 export interface PhantomSeed extends Seed {
+  /** Of the organ, such as "right kidney". */
+  name: string;
   label: number;
 }
 

@@ -10,20 +10,6 @@ import { type OpenImage, imageOfVoxels, readFiles } from "./volumes.js";
 import { type WindowPreset, presetsFor, rangeOf } from "./windows.js";
 import { work } from "./work.js";
 
-const phantomOrgans = [
-  "",
-  "spleen",
-  "right kidney",
-  "left kidney",
-  "gallbladder",
-  "esophagus",
-  "liver",
-  "stomach",
-  "aorta",
-  "inferior vena cava",
-  "portal vein",
-  "pancreas",
-];
 const phantomLiver = 6;
 
 let ownRange: [number, number] = [0, 1];
@@ -120,7 +106,7 @@ export async function openPhantom(): Promise<void> {
     // The name that `flipfree phantom abdomen` gives it.
     showImage(await imageOfVoxels("abdomen.nii.gz", "Built-in abdomen", phantom.image));
     app.phantomSeeds = phantom.seeds;
-    const choices = phantom.seeds.map(({ label }) => new Option(phantomOrgans[label] ?? `label ${label}`, String(label)));
+    const choices = phantom.seeds.map(({ name, label }) => new Option(name, String(label)));
     select("phantom-seed").replaceChildren(new Option("choose …", ""), ...choices);
     element("phantom-row").hidden = false;
     view.crosshair = [...(phantom.seeds.find(({ label }) => label === phantomLiver) ?? phantom.seeds[0]).center];
@@ -132,9 +118,9 @@ export async function openPhantom(): Promise<void> {
 export function takePhantomSeed(): void {
   const chosen = app.phantomSeeds.find(({ label }) => String(label) === select("phantom-seed").value);
   if (chosen) {
-    const { center, radius, label } = chosen;
+    const { center, radius, name } = chosen;
     const seed = { center, radius };
-    organs.change(organs.chosen, { name: phantomOrgans[label], seed, start: null, corrections: [], result: null });
+    organs.change(organs.chosen, { name, seed, start: null, corrections: [], result: null });
     showAll();
     view.crosshair = [...center];
   }

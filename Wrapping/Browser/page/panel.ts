@@ -1,5 +1,5 @@
 /** The panel and the slices after a change: what is there, and what can be done now. */
-import type { Seed } from "../flipfree/index.js";
+import { type Seed, isOrgan } from "../flipfree/index.js";
 import { app, organs, view } from "./app.js";
 import { button, element, input, select } from "./dom.js";
 import type { ViewedOrgan } from "./marks.js";
@@ -111,7 +111,7 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
     const organ = isChosen ? { ...one, ...changed } : one;
     const { result, seed, color, corrections, points } = organ;
     const ofVessel = points.map((position, at) => ({ kind: String(at + 1), position }));
-    const confidence = result && "vertexConfidence" in result ? result.vertexConfidence : null;
+    const confidence = result && isOrgan(result) ? result.vertexConfidence : null;
     return {
       surface: result?.surface ?? null,
       confidence,

@@ -1,5 +1,5 @@
 /** Questions that a result asks: which one is chosen, and the list of them in the panel, with Yes and No. */
-import type { Organ, Question, Triple, Vessel } from "../flipfree/index.js";
+import { type Organ, type Question, type Triple, type Vessel, isOrgan } from "../flipfree/index.js";
 import { element } from "./dom.js";
 import type { OrganState } from "./organs.js";
 
@@ -13,7 +13,7 @@ export const questionActions = {
 let chosen: { result: Organ | Vessel | null; at: number } = { result: null, at: -1 };
 
 export function questionsOf({ result }: OrganState): readonly Question[] {
-  return result && "questions" in result ? result.questions : [];
+  return result && isOrgan(result) ? result.questions : [];
 }
 
 /** The number of the chosen question, from 0; -1 where there is none. */

@@ -1,5 +1,5 @@
 /** What was found, in numbers, and what may be wrong with it. */
-import { type Organ, type Vessel, doubtfulConfidence } from "../flipfree/index.js";
+import { type Organ, type Vessel, doubtfulConfidence, isOrgan } from "../flipfree/index.js";
 import { app } from "./app.js";
 import { element } from "./dom.js";
 import { doubtfulFraction } from "./doubts.js";
@@ -42,13 +42,12 @@ function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
     ["Surface", `closed, ${result.selfIntersections} self-intersections`],
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
-  if ("vertexConfidence" in result) {
+  if (isOrgan(result)) {
     rows.unshift(
       ["Confidence", confidenceText(organ, result)],
       ["Boundary", `${Math.round(100 * doubtfulFraction(result))} % doubtful (blue)`],
     );
-  }
-  if ("branches" in result) {
+  } else {
     const count = result.branches.length;
     const branches = count > 1 ? `, ${count} branches` : "";
     rows.splice(1, 0, ["Vessel", `${lengthOf(result).toFixed(0)} mm long, radius ${result.radius.toFixed(1)} mm${branches}`]);

@@ -1,5 +1,5 @@
 /** Runs: of the chosen organ, again after each of its points, and of all organs of a session. */
-import { FlipFreeError, type Organ, type Vessel } from "../flipfree/index.js";
+import { FlipFreeError, type Organ, type Vessel, isOrgan } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { type Correction, type OrganState, canRun, correctionsOf, isRepeated } from "./organs.js";
 import { leaveSeedTool, showAll, viewedOrgans } from "./panel.js";
@@ -51,7 +51,7 @@ export async function segment(): Promise<void> {
     await run("Segmenting", "Segmented", organ, (result) => {
       organs.find(organ, result);
       leaveSeedTool();
-      if (organ.start && "seed" in result) {
+      if (organ.start && isOrgan(result)) {
         view.crosshair = [...result.seed.center];
       }
     });

@@ -39,7 +39,7 @@ class Segmentation(Faces, Correctable):
     """A row per iteration; `iterations` has its columns as arrays."""
 
     stop_reason: str
-    """Such as 'at rest'; vtkFlipFreeSegmentation.GetStopReasonAsString() lists them."""
+    """Such as 'converged'; vtkFlipFreeSegmentation.GetStopReasonAsString() lists them."""
 
     boundary_found: bool
     """Whether any vertex found the boundary.

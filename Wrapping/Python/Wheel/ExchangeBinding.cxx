@@ -10,6 +10,7 @@
 #include "Exchange/TableText.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
+#include "Exchange/VtpHeader.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
@@ -154,6 +155,8 @@ void BindExchange(nb::module_& module)
   module.def("read_constraint_table", &ConstraintsIn);
   module.def("read_place_table", &PlacesIn);
   module.def("read_polygons", &PolygonsIn);
+  module.def("validate_vtp",
+    [](const std::string& name, const nb::bytes& bytes) { ValidateVtp(name, TextOf(bytes)); });
   module.def("read_label_names", &ReadLabelNameTable);
   module.def("file_name_part", &FileNamePart);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")

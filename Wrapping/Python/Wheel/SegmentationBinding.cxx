@@ -103,18 +103,18 @@ nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple&
     const nb::gil_scoped_release unlocked;
     if (MonitorOf(report)(0))
     {
-      OrganRuns runs(GrayVolumeOf(voxels, geometry), ImageName, PoolThreading());
+      OrganSession session(GrayVolumeOf(voxels, geometry), ImageName, PoolThreading());
       if (labels)
       {
         const LabelVolume volume = LabelVolumeOf(*labels, "the start labels");
-        runs.FillLabel(volume, label);
+        session.FillLabel(volume, label);
         noLabels = WarningOfNoLabels(volume.Values(), label, volume.Name, "is filled");
       }
       if (start)
       {
-        runs.StartFrom(SurfaceOf(*start, "the start surface"));
+        session.StartFrom(SurfaceOf(*start, "the start surface"));
       }
-      found = runs.Answer(request, MonitorOf(report, 0, 0.95),
+      found = session.Segment(request, MonitorOf(report, 0, 0.95),
         [&history](const ContourMesh& mesh, const PointList& points,
           const CorrespondenceField& field, const IterationRecord&) {
           history.push_back({ mesh.Faces, points, field });

@@ -67,7 +67,7 @@ class Segmentation(Faces, Correctable):
     """The columns of the convergence table: Iteration, MeanDistance and so on."""
 
     stop_reason: str
-    """Such as 'at rest'."""
+    """Such as 'converged'."""
 
     boundary_found: bool
     """Whether any vertex found the boundary.

@@ -63,13 +63,19 @@ def read_surface(path: PathName) -> Surface:
     ending = ending_of(name)
     if not os.path.isfile(name) or not os.access(name, os.R_OK):
         raise FileError(f"'{name}' does not exist or cannot be read. Check its name and permissions.")
-    surface = _read_vtp(name) if ending == ".vtp" else _read_polygons(name)
+    with open(name, "rb") as file:
+        content = file.read()
+    try:
+        surface = (_read_vtp if ending == ".vtp" else _read_polygons)(name, content)
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
     if len(surface.offsets) < 2:
         raise FileError(f"'{name}' has no faces. Check its extension, or create it again.")
     return surface
 
 
-def _read_vtp(name: str) -> Surface:
+def _read_vtp(name: str, content: bytes) -> Surface:
+    _kernels.validate_vtp(name, content)
     reader: Any = needed("vtkmodules.vtkIOXML", "to read .vtp files", "pyvista").vtkXMLPolyDataReader()
     from ._vtk_objects import surface_of_vtk
 
@@ -84,15 +90,10 @@ def _read_vtp(name: str) -> Surface:
     return surface
 
 
-def _read_polygons(name: str) -> Surface:
+def _read_polygons(name: str, content: bytes) -> Surface:
     import numpy
 
-    with open(name, "rb") as file:
-        content = file.read()
-    try:
-        points, corners, offsets = _kernels.read_polygons(name, content)
-    except _kernels.FileProblem as problem:
-        raise FileError(str(problem)) from None
+    points, corners, offsets = _kernels.read_polygons(name, content)
     return Surface(
         points=points,
         corners=corners,

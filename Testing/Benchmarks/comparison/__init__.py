@@ -1,1 +1,0 @@
-"""What Testing/Benchmarks/table1 is made of."""

@@ -1,0 +1,1 @@
+"""What Testing/Comparison/table1 is made of."""
