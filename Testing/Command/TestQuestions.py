@@ -130,7 +130,7 @@ class TestQuestions(command.CommandTest):
         for arguments, why in (((*self.arguments(self.cut), "--no-carving"), "questions come with --carving"),
                                (("segment", self.cut, "--start-labels", labels, "--resolution", 8),
                                 "a start from labels has no questions"),
-                               (("segment", self.volume, *self.seed, "--resolution", 8), "no part of the result is in doubt")):
+                               (("segment", self.volume, *self.seed, "--resolution", 8), "no part alone is in doubt")):
             _, shown = self.at_a_terminal([], *arguments, "--ask", "-o", self.result("a.stl"))
             self.assertIn(f"--ask: there is nothing to ask; {why}.\n", shown)
 

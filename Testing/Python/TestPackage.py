@@ -35,6 +35,13 @@ class Package(unittest.TestCase):
                 self.assertIn(name, str(instance))
                 self.assertGreater(len(getattr(flipfree, name).__doc__), 200)
 
+    def test_says_where_cohorts_are(self):
+        with self.assertRaisesRegex(AttributeError, r"no attribute 'cohort' here: .* pip install '\.\[cohort\]' in the source"):
+            getattr(flipfree, "cohort")
+        with self.assertRaisesRegex(AttributeError, r"^module 'flipfree' has no attribute 'cohorts'$"):
+            getattr(flipfree, "cohorts")
+        self.assertNotIn("cohort", dir(flipfree))
+
     def test_filters_need_no_numpy(self):
         program = ("import sys; sys.modules['numpy'] = None; import flipfree; "
                    "sphere = flipfree.vtkQuadSphereSource(); flipfree.update(sphere)")

@@ -7,6 +7,7 @@ import unittest
 
 import flipfree
 import numpy
+from example import abdomen
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from lobed_ball import LOBE, RADIUS, SEED, SIZE, SPACING, lobed_ball  # pylint: disable=wrong-import-position
@@ -55,6 +56,20 @@ class Questions(unittest.TestCase):
                 (TypeError, r"^answers: a dict is needed, such as {0: True} for the first question, not \[True\]$", [True])):
             with self.subTest(answers), self.assertRaisesRegex(error, message):
                 organ.answered(answers)
+
+    def test_a_seed_that_is_not_within_the_organ_asks_nothing_and_gives_no_confidence(self):
+        # Beside the ball, in a corner of the image, and one that is wider than an aorta.
+        for place, radius, message in (((78, 47, 20), 12, "of the surface found no boundary"),
+                                       ((20, 12, 12), 8, "lies at the image's border")):
+            voxels = numpy.frombuffer(lobed_ball(0), numpy.int16).reshape(SIZE[::-1])
+            with self.subTest(place), self.assertWarnsRegex(flipfree.FlipFreeWarning, message):
+                organ = flipfree.segment(voxels, place, radius, spacing=SPACING, resolution=16)
+                self.assertEqual(organ.questions, ())
+                self.assertLess(organ.confidence, 0.25)
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "in the seed sphere of 14 mm scatter far more"):
+            organ = flipfree.segment(abdomen().image, (168.75, 148.75, 139), 14)
+        self.assertEqual(organ.questions, ())
+        self.assertLess(organ.confidence, 0.25)
 
     def test_organs_of_a_group_have_theirs(self):
         voxels = numpy.frombuffer(lobed_ball(0), numpy.int16).reshape(SIZE[::-1])

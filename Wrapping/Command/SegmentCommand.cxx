@@ -217,7 +217,7 @@ std::string WhyNoQuestions(const SegmentRequest& request, vtkFlipFreeSegmentatio
   {
     return "a start from labels has no questions";
   }
-  return organ->GetFeature()->GetCarving() ? "no part of the result is in doubt"
+  return organ->GetFeature()->GetCarving() ? "no part alone is in doubt"
                                            : "questions come with --carving";
 }
 

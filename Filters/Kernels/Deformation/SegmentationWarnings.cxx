@@ -1,6 +1,5 @@
 #include "Deformation/SegmentationWarnings.h"
 
-#include "Deformation/PlausibilityCheck.h"
 #include "Deformation/StartMask.h"
 #include "Evidence/SurfaceConfidence.h"
 #include "Image/VoxelOffsets.h"
@@ -90,9 +89,8 @@ std::string WarningOf(const Implausibility& finding, double reach)
 
 } // namespace
 
-std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeometry& region,
-  const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings,
-  bool startsAtSeed)
+std::vector<std::string> WarningsOf(const OrganSurface& organ, const Implausibility& finding,
+  const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings)
 {
   std::vector<std::string> warnings;
   if (!ContainsSphere(image, seed))
@@ -107,8 +105,7 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
       std::to_string(organ.SelfIntersections) +
       " pairs of faces; switch {Guard} on for a valid surface.");
   }
-  const bool foundNothing = organ.Reason == StopReason::NoBoundaryFound;
-  if (foundNothing)
+  if (organ.Reason == StopReason::NoBoundaryFound)
   {
     warnings.emplace_back("No vertex found the organ's boundary, so the surface is not the "
                           "organ's; check that the seed lies in the organ, or raise "
@@ -121,8 +118,6 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
       std::to_string(organ.Mesh.NumberOfPoints()) +
       " vertices; lower {Levels} to start from a finer one.");
   }
-  const Implausibility finding =
-    CheckPlausibility(organ, region, image, seed.Radius, settings, startsAtSeed && !foundNothing);
   if (finding.Reason != ImplausibilityReason::None)
   {
     warnings.push_back(WarningOf(finding, ReachOf(settings.Smoothing, seed.Radius)));

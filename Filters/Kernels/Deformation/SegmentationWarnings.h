@@ -5,6 +5,7 @@
 #define FlipFreeSegmentationWarnings_h
 
 #include "Deformation/OrganSegmentation.h"
+#include "Deformation/PlausibilityCheck.h"
 #include "Image/BitMask.h"
 #include "Image/SeedRegion.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -16,9 +17,8 @@ namespace FlipFree
 {
 
 /// A message for each, with its remedy.
-std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeometry& region,
-  const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings,
-  bool startsAtSeed);
+std::vector<std::string> WarningsOf(const OrganSurface& organ, const Implausibility& finding,
+  const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings);
 
 /// A message for a seed sphere whose gray values scatter far more than those of its inner half,
 /// with its remedy; empty for any other. `image` has values in the sphere, before smoothing.

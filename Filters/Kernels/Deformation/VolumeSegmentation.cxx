@@ -83,6 +83,15 @@ Eigen::VectorXd ShiftsOf(const OrganSurface& organ)
     : DistanceQuery(first.Points, first.Mesh.Triangles).DistancesOf(organ.Points);
 }
 
+// Whether a warning says that the seed is not within the organ. The evidence of the confidence and
+// the parts that are asked about presuppose that it is.
+bool IsSeedDoubtful(const OrganSurface& organ, const Implausibility& finding)
+{
+  return organ.Reason == StopReason::NoBoundaryFound ||
+    finding.Reason == ImplausibilityReason::NoBoundary ||
+    finding.Reason == ImplausibilityReason::ImageBoundary;
+}
+
 void RequireCertified(const OrganSurface& organ)
 {
   if (organ.SelfIntersections > 0)
@@ -287,8 +296,14 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
     this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,
     this->Threads.For);
-  result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
-    this->StartsAtSeed && !this->Given);
+  const Implausibility finding = CheckPlausibility(organ, this->Region, geometry, this->Seed.Radius,
+    method, this->StartsAtSeed && !this->Given && organ.Reason != StopReason::NoBoundaryFound);
+  const bool isSeedDoubtful = !this->MixedSeed.empty() || IsSeedDoubtful(organ, finding);
+  if (isSeedDoubtful)
+  {
+    result.Confidence.OfSurface *= ConfidenceLeftByDoubtfulSeed;
+  }
+  result.Warnings = WarningsOf(organ, finding, geometry, this->Seed, method);
   for (const std::string& warning :
     { this->MixedSeed, WarningOfNoData(organ.Points, this->Smooth->GetNoData()) })
   {
@@ -298,7 +313,11 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     }
   }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
-  result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);
+  // A surface that is cut at the end of its reach has leaked, or its seed lies in air, too.
+  if (!isSeedDoubtful && finding.Reason != ImplausibilityReason::EndOfReach)
+  {
+    result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);
+  }
   if (this->Given)
   {
     const std::vector<std::string> warnings =

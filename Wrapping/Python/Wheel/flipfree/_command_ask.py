@@ -30,7 +30,7 @@ def say_nothing_to_ask(values: dict[str, Any]) -> None:
     if "start_labels" in values:
         why = "a start from labels has no questions"
     elif {**default_parameters(values.get("preset", "default")), **values}["carving"]:
-        why = "no part of the result is in doubt"
+        why = "no part alone is in doubt"
     else:
         why = "questions come with --carving"
     print(f"--ask: there is nothing to ask; {why}.", file=sys.stderr)
