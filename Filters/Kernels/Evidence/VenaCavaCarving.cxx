@@ -347,8 +347,8 @@ BitMask MaskOf(const std::vector<Disk>& vein, const ImageGeometry& geometry)
   {
     const Disk& high = vein[next - 1];
     const Eigen::Vector3d step = vein[next].Center - high.Center;
-    const double reach = std::max(high.Radius, vein[next].Radius) + Wall + step.norm();
-    for (const std::size_t voxel : VoxelsAround(geometry, { high.Center, reach }))
+    const double reach = std::max(high.Radius, vein[next].Radius) + Wall + step.norm() / 2;
+    for (const std::size_t voxel : VoxelsAround(geometry, { high.Center + step / 2, reach }))
     {
       const auto [i, j, k] = IndexOf(voxel, geometry);
       const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - high.Center;
