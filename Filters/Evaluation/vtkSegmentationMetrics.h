@@ -33,13 +33,14 @@
  * of label map", "mesh" or "surface of voxelized mesh".
  *
  * Errors, with a code of FlipFreeErrorCode.h and with an empty table and measures that are not a
- * number: an empty mask on either port, label maps with other voxels, a label map without
- * scalars, with several components, of bits, or with a spacing that is not positive, a surface that
- * is empty, open or not finite, or encloses no voxel center of the reference, a surface that would
- * need more than a hundred million samples (raise SampleSpacing), a SampleSpacing that is not a
- * number. Warnings, which still give measures:
- *  - a reference of several labels, or of values that no label map has, if none of them was chosen
- *    and the segmentation has only one;
+ * number: an empty mask on either port, gray values in place of labels (fractions, more than three
+ * values that are no labels, or more than 255 values, 1000 if one of them is chosen), label maps
+ * with other voxels, a label map without scalars, with several components, of bits, or with a
+ * spacing that is not positive, a surface that is empty, open or not finite, or encloses no voxel
+ * center of the reference, a surface that would need more than a hundred million samples (raise
+ * SampleSpacing), a SampleSpacing that is not a number. Warnings, which still give measures:
+ *  - a reference of several labels, if none of them was chosen and the segmentation has only one;
+ *  - labels beside a few negative numbers;
  *  - a surface that lies, in part, more than a voxel outside the reference's grid, or label maps
  *    with voxels outside the grid of the other.
  *

@@ -163,7 +163,8 @@ def difference(own, other):
     values = own.values(indices)
     # Where the places are others, the same voxel in the file's order.
     near = far < numpy.linalg.norm(own.steps, axis=0).min() / 2
-    others = other.values(other.indices(own.places(indices)) if near else numpy.minimum(indices, numpy.array(other.voxels.shape) - 1))
+    in_order = numpy.minimum(indices, numpy.array(other.voxels.shape) - 1)
+    others = other.values(other.indices(own.places(indices)) if near else in_order)
     wrong = ~numpy.isclose(values, others, rtol=1e-5, atol=1e-9, equal_nan=True)
     texts = [f"{far:.2g} mm"] if far >= SAME_PLACE else []
     if wrong.any():

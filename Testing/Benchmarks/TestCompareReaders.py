@@ -1,4 +1,4 @@
-"""What the comparison of readers says of a folder of images: of places and values that differ, and of files that cannot be read."""
+"""What the comparison of readers says of a folder of images: what differs, and which files cannot be read."""
 
 import gzip
 import struct

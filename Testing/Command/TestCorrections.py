@@ -146,6 +146,7 @@ class TestCorrections(command.CommandTest):
                 (1, ("--no-guard", "--inside", 32, 32, 34), ("switch --guard on",)),
                 (1, ("--points", self.file("a.csv", "kind,x,y,z\nabove,1,2,3\n")), ("a.csv", "line 2", "'above'")),
                 (1, ("--points", self.file("b.csv", "inside,1,2\n")), ("b.csv", "line 1", "3 cells; needed are kind, x, y, z")),
+                (1, ("--points", self.file("e.csv", "1,2,3\n")), ("e.csv", "is for --inside-stroke or --outside-stroke")),
                 (1, ("--points", self.file("c.csv", "inside,1,2,3mm\n")), ("c.csv", "'3mm' is not a number")),
                 (1, ("--points", self.file("d.csv", "seed,1,2,3\n")), ("d.csv", "no radius")),
                 (1, ("--points", self.file("a.mrk.json", "{")), ("a.mrk.json", "3D Slicer")),

@@ -542,45 +542,29 @@ TEST(SegmentationMetrics, WarnOfASegmentationOfSeveralLabels)
   EXPECT_EQ(warnings.size(), 2U);
 }
 
-TEST(SegmentationMetrics, WarnOfWhatIsNoLabelMap)
+TEST(SegmentationMetrics, WarnOfNegativeNumbersBesideLabels)
 {
   const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
-  const auto scan = LabelMapOf(Sphere(6, Center, 10), Grid(), -1000);
-  scan->GetPointData()->GetScalars()->SetComponent(5, 0, 40);
-  vtkNew<vtkImageData> fractions;
-  fractions->DeepCopy(one);
-  vtkNew<vtkFloatArray> values;
-  values->DeepCopy(one->GetPointData()->GetScalars());
-  values->SetValue(7, 0.25F);
-  values->SetValue(8, 0.5F);
-  fractions->GetPointData()->SetScalars(values);
-  const std::pair<vtkImageData*, const char*> images[] = { { scan, "-1000" },
-    { fractions, "0.25, 0.5" } };
-  for (const auto& [image, said] : images)
+  const auto marked = LabelMapOf(Sphere(6, Center, 10), Grid(), -1);
+  marked->GetPointData()->GetScalars()->SetComponent(5, 0, 40);
+  for (const bool isReference : { true, false })
   {
-    for (const bool isReference : { true, false })
-    {
-      const std::string name =
-        isReference ? "the reference on port 1" : "the segmentation on port 0";
-      vtkNew<vtkSegmentationMetrics> metrics;
-      std::vector<std::string> warnings;
-      FlipFree::KeepWarnings(metrics, warnings);
-      metrics->SetInputData(isReference ? one.Get() : image);
-      metrics->SetReferenceData(isReference ? image : one.Get());
-      metrics->Update();
-      const int label = image == scan ? 40 : 1;
-      isReference ? metrics->SetReferenceLabel(label) : metrics->SetSegmentationLabel(label);
-      metrics->Update();
-      ASSERT_EQ(warnings.size(), 2U);
-      const std::string beginning =
-        "Of the values of " + name + ", " + said + " are not valid labels; ";
-      EXPECT_NE(warnings[0].find(beginning + "every nonzero voxel counts as inside; give"),
-        std::string::npos)
-        << warnings[0];
-      EXPECT_NE(warnings[1].find(beginning + "only a voxel of exactly " + std::to_string(label)),
-        std::string::npos)
-        << warnings[1];
-    }
+    const std::string name = isReference ? "the reference on port 1" : "the segmentation on port 0";
+    vtkNew<vtkSegmentationMetrics> metrics;
+    std::vector<std::string> warnings;
+    FlipFree::KeepWarnings(metrics, warnings);
+    metrics->SetInputData(isReference ? one : marked);
+    metrics->SetReferenceData(isReference ? marked : one);
+    metrics->Update();
+    isReference ? metrics->SetReferenceLabel(40) : metrics->SetSegmentationLabel(40);
+    metrics->Update();
+    ASSERT_EQ(warnings.size(), 2U);
+    const std::string beginning = "Of the values of " + name + ", -1 are not valid labels; ";
+    EXPECT_NE(warnings[0].find(beginning + "every nonzero voxel counts as inside; give"),
+      std::string::npos)
+      << warnings[0];
+    EXPECT_NE(warnings[1].find(beginning + "only a voxel of exactly 40"), std::string::npos)
+      << warnings[1];
   }
 }
 
@@ -645,6 +629,66 @@ TEST_F(SegmentationMetricsRefuse, LabelsOfWhatIsNoLabelMap)
   voxels->SetComponent(8, 0, 40);
   this->ExpectError(this->Segmentation, this->Reference,
     none + "; set ReferenceLabel to one of 40, if it is a label map: it also contains -1000, -990");
+}
+
+TEST_F(SegmentationMetricsRefuse, GrayValuesWhateverTheLabel)
+{
+  const std::string needs = ", but a label map contains only whole numbers from 0 up";
+  const std::size_t most = LabelValues::Most;
+  const auto expectWith = [&](const std::vector<int>& labels, std::size_t count, double first,
+                            double step, const std::string& said)
+  {
+    vtkNew<vtkImageData> gray;
+    gray->DeepCopy(this->Reference);
+    vtkNew<vtkFloatArray> values;
+    values->DeepCopy(this->Reference->GetPointData()->GetScalars());
+    for (std::size_t voxel = 0; voxel < count; ++voxel)
+    {
+      values->SetValue(static_cast<vtkIdType>(voxel),
+        static_cast<float>(first + step * static_cast<double>(voxel)));
+    }
+    gray->GetPointData()->SetScalars(values);
+    for (const int label : labels)
+    {
+      this->Metrics->SetReferenceLabel(label);
+      this->ExpectError(this->Segmentation, gray,
+        "the reference on port 1 is not a label map; it contains " + said + needs);
+      this->Metrics->SetReferenceLabel(-1);
+      this->Metrics->SetSegmentationLabel(label);
+      this->ExpectError(gray, this->Reference,
+        "the segmentation on port 0 is not a label map; it contains " + said + needs);
+      this->Metrics->SetSegmentationLabel(-1);
+    }
+  };
+  expectWith({ -1, 1 }, 2, 0.25, 0.25, "0.25, 0.5");
+  expectWith({ -1, 1 }, 4, -1000, 10, "-1000, -990, -980 and more");
+  expectWith({ 1 }, most, 2, 1, "more than 1000 different values"); // and 1
+  expectWith({ -1 }, LabelValues::MostOrgans, 2, 1, "more than 255 different values");
+  // As many as there may be, and what is one mask of any value.
+  this->Metrics->SetInputData(this->Segmentation);
+  const vtkSmartPointer<vtkDataArray> voxels = this->Reference->GetPointData()->GetScalars();
+  vtkNew<vtkShortArray> many;
+  many->DeepCopy(voxels);
+  for (std::size_t voxel = 0; voxel < most - 1; ++voxel)
+  {
+    many->SetValue(static_cast<vtkIdType>(voxel), static_cast<short>(2 + voxel));
+  }
+  this->Reference->GetPointData()->SetScalars(many);
+  this->Metrics->SetReferenceData(this->Reference);
+  this->Metrics->SetReferenceLabel(1);
+  this->Metrics->Modified();
+  EXPECT_EQ(ErrorOfUpdate(this->Metrics), "0 errors");
+  vtkNew<vtkFloatArray> half;
+  half->DeepCopy(voxels);
+  for (vtkIdType voxel = 0; voxel < half->GetNumberOfTuples(); ++voxel)
+  {
+    half->SetValue(voxel, 0.5F * half->GetValue(voxel));
+  }
+  this->Reference->GetPointData()->SetScalars(half);
+  this->Metrics->SetReferenceLabel(-1);
+  this->Metrics->Modified();
+  EXPECT_EQ(ErrorOfUpdate(this->Metrics), "0 errors");
+  EXPECT_GT(this->Metrics->GetDice(), 0.8);
 }
 
 TEST_F(SegmentationMetricsRefuse, OtherGeometriesNamingThePorts)

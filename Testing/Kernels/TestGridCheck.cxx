@@ -45,6 +45,10 @@ TEST(GridCheck, OfVoxelsOnThreeAxes)
   geometry = CheckedGrid();
   geometry.Direction.col(0) = geometry.Direction.col(1);
   EXPECT_NE(RefusalOf(geometry).find("cannot be inverted"), std::string::npos);
+  geometry.Direction.col(0) += 0.005 * Eigen::Vector3d::UnitY(); // nearly so
+  EXPECT_NE(RefusalOf(geometry).find("cannot be inverted"), std::string::npos);
+  geometry.Direction.col(0) += 0.5 * Eigen::Vector3d::UnitY();
+  EXPECT_EQ(RefusalOf(geometry), "");
   geometry.Dimensions[1] = 0;
   EXPECT_EQ(RefusalOf(geometry), "it has no voxels; give one that has");
 }

@@ -57,6 +57,10 @@ TEST(NrrdHeader, EverySpaceIsTheSamePlaceInThePatient)
                   .isApprox(space.Signs.cwiseProduct(far), 1e-12))
       << space.Name;
   }
+  // Axes within half a degree of each other.
+  ExpectNrrdRefusal(
+    NrrdFile("space: LPS\nspace directions: (1,0,0) (0,1,200) (0,0,1.5)\nspace origin: (0,0,0)\n"),
+    "directions independent");
   ExpectNrrdRefusal(NrrdFile("space: upside-down\n" + NrrdDirections), "space is none of");
 }
 

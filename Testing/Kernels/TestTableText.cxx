@@ -131,6 +131,14 @@ TEST(PointTable, AWrongHeaderOrLineIsSaid)
   const std::string places =
     RefusalBy([] { ReadPlaceTable("a.csv", "kind,x,y,z\ninside,1,2,3\n"); });
   EXPECT_EQ(places, "'a.csv', line 1: the header must be x, y, z, in any order.");
+  // What takes places alone is named for these only, as they may be in the wrong place.
+  for (const char* text : { "x,y,z\n1,2,3\n", "Z,y,x\n", "1,2,3\n", "1,5;2;3\n", "inside,1,2\n" })
+  {
+    const std::string refusal = RefusalBy([text] { ReadConstraintTable("a.csv", text, "B"); });
+    const bool isNamed =
+      refusal.find("; a table of x, y and z alone is for B.") != std::string::npos;
+    EXPECT_EQ(isNamed, text[0] != 'i') << refusal;
+  }
   const std::pair<const char*, const char*> lines[] = {
     { "inside,1,2\n", "line 1: 3 cells; needed" },
     { "inside,here,there,3\n", "line 1: 'here' is not" },

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import axes_of, liver, needs_files, needs_vtk, needs_wheel, surface_of, truth
+from example import abdomen, axes_of, liver, needs_files, needs_vtk, needs_wheel, surface_of, truth
 
 LIVER = flipfree.Organ.LIVER
 
@@ -174,6 +174,12 @@ class Evaluation(unittest.TestCase):
             flipfree.evaluate(liver(), truth())
         with self.assertRaisesRegex(flipfree.EvaluationError, r"label 99; set reference_label to one of 1, 2, "):
             flipfree.evaluate(liver(), truth(), reference_label=99)
+
+    def test_refuses_gray_values_as_labels(self):
+        for reference in (abdomen().image, flipfree.array_from_image(truth()) / 2):
+            for label in ({}, {"reference_label": 1}):
+                with self.assertRaisesRegex(flipfree.EvaluationError, "the reference is not a label map; it contains .* give it"):
+                    flipfree.evaluate(liver(), reference, **label)
 
     def test_takes_surfaces(self):
         expected = flipfree.evaluate(liver().label_map, truth(), reference_label=LIVER)

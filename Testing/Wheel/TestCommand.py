@@ -55,6 +55,8 @@ class Options(unittest.TestCase):
                             for program in (OURS, TOOLKIT))
             self.assertEqual(ours, theirs)
         self.assertIn("  cohort ", run("--help").stdout)
+        # Examples work without the packages of extras.
+        self.assertNotRegex(run("--help").stdout + run("evaluate", "--help").stdout, r"evaluate \S+\.vtp")
 
     def test_module_is_the_command(self):
         process = run("-m", "flipfree", "--version", program=sys.executable)

@@ -142,7 +142,7 @@ const char* const EvaluateFooter =
   "\n"
   "Examples:\n"
   "  flipfree evaluate liver.nii.gz truth.nii.gz --reference-label 6\n"
-  "  flipfree evaluate liver.vtp truth.nii.gz --reference-label 6 --csv scores.csv\n";
+  "  flipfree evaluate liver.ply truth.nii.gz --reference-label 6 --csv scores.csv\n";
 
 } // namespace
 

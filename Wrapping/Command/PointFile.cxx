@@ -131,7 +131,8 @@ std::vector<CorrectionPoint> ReadPoints(const std::string& name)
   reader.Columns = "kind, x, y, z and radius";
   reader.TakeTable = [&](const std::string& text)
   {
-    for (const FlipFree::PointConstraint& point : FlipFree::ReadConstraintTable(name, text))
+    for (const FlipFree::PointConstraint& point :
+      FlipFree::ReadConstraintTable(name, text, "--inside-stroke or --outside-stroke"))
     {
       points.push_back({ point.Kind, CoordinatesOf(point.Point), point.Radius });
     }

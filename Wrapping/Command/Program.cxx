@@ -30,8 +30,8 @@ const char* const Description =
 const char* const ProgramFooter =
   "Examples:\n"
   "  flipfree phantom abdomen -o try                  # a volume to try, and its seeds\n"
-  "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.vtp\n"
-  "  flipfree evaluate liver.vtp try/abdomen-truth.nii.gz --reference-label 6\n"
+  "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.ply\n"
+  "  flipfree evaluate liver.ply try/abdomen-truth.nii.gz --reference-label 6\n"
   "\n"
   "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
   "millimeters: x to the patient's left, y to the back, z to the head. Viewers that use RAS, "

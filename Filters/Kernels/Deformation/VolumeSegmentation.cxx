@@ -313,8 +313,7 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     }
   }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
-  // A surface that is cut at the end of its reach has leaked, or its seed lies in air, too.
-  if (!isSeedDoubtful && finding.Reason != ImplausibilityReason::EndOfReach)
+  if (!isSeedDoubtful)
   {
     result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);
   }

@@ -6,6 +6,7 @@
 #define FlipFreeHeaderField_h
 
 #include "Exchange/VolumeFileHeader.h"
+#include "Image/GridCheck.h"
 
 #include <map>
 #include <string>
@@ -21,8 +22,6 @@ namespace FlipFree
 
 constexpr double GreatestLength = 1e9; ///< mm, of which squares fit in single precision
 constexpr double LeastSpacing = 1e-9;  ///< mm
-/// Of unit vectors along the axes; axes with a smaller one lie in a plane.
-constexpr double LeastDeterminant = 1e-6;
 
 /// Whether it can be a length or a coordinate in millimeters.
 bool IsLength(double value);

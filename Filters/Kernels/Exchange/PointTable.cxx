@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace FlipFree
 {
@@ -24,11 +25,12 @@ class PointTableReader
 {
 public:
   PointTableReader(std::string name, std::vector<std::string> columns, std::size_t needed,
-    std::string meaning)
+    std::string meaning, std::string whatTakesPlaces = {})
     : Name(std::move(name))
     , Columns(std::move(columns))
     , Needed(needed)
     , Meaning(std::move(meaning))
+    , WhatTakesPlaces(std::move(whatTakesPlaces))
   {
   }
 
@@ -99,7 +101,7 @@ private:
     }
     if (order.size() < this->Needed || order.size() != CountFilled(cells))
     {
-      this->Refuse("the header must be " + this->Meaning + ", in any order");
+      this->Refuse("the header must be " + this->Meaning + ", in any order" + this->Remedy(cells));
     }
     return order;
   }
@@ -119,24 +121,41 @@ private:
     if (areFew || CountFilled(ordered) < CountFilled(cells))
     {
       this->Refuse(std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells") +
-        "; needed are " + this->Meaning);
+        "; needed are " + this->Meaning + this->Remedy(cells));
     }
     return ordered;
+  }
+
+  /// For a header or a line of x, y and z alone.
+  std::string Remedy(const std::vector<std::string>& cells) const
+  {
+    std::set<std::string> names;
+    for (const std::string& cell : cells)
+    {
+      names.insert(InSmallLetters(cell));
+    }
+    const bool arePlaces = names == std::set<std::string>{ "x", "y", "z" } ||
+      (cells.size() == 3 && std::all_of(cells.begin(), cells.end(), AreDecimals));
+    return arePlaces && !this->WhatTakesPlaces.empty()
+      ? "; a table of x, y and z alone is for " + this->WhatTakesPlaces
+      : std::string();
   }
 
   const std::string Name;
   const std::vector<std::string> Columns;
   const std::size_t Needed; ///< of the columns
   const std::string Meaning;
+  const std::string WhatTakesPlaces;
   int Line = 0;
 };
 
 } // namespace
 
-ConstraintList ReadConstraintTable(const std::string& name, const std::string& text)
+ConstraintList ReadConstraintTable(const std::string& name, const std::string& text,
+  const std::string& whatTakesPlaces)
 {
   PointTableReader reader(name, { "kind", "x", "y", "z", "radius" }, 4,
-    "kind, x, y, z and, for seeds, radius");
+    "kind, x, y, z and, for seeds, radius", whatTakesPlaces);
   ConstraintList points;
   reader.Read(text,
     [&](const std::vector<std::string>& cells)

@@ -14,6 +14,11 @@
 namespace FlipFree
 {
 
+/// Of unit vectors along the axes. With a smaller one, an axis lies within about half a degree of
+/// another one or of the plane of both others. No scanner or registration does that, and what is
+/// searched within some millimeters has no bound in voxels.
+constexpr double LeastDeterminant = 0.01;
+
 /// Throws Error, naming the image by `name`, unless its voxels lie apart on three independent axes.
 inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& name)
 {
@@ -23,8 +28,8 @@ inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& 
       name + " has a spacing of " + TextOf(geometry.Spacing) +
         " mm; make it positive on every axis, and turn axes by the direction matrix");
   }
-  if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
-    !geometry.Origin.allFinite())
+  if (!(std::abs(geometry.Direction.determinant()) > LeastDeterminant) ||
+    !geometry.Direction.allFinite() || !geometry.Origin.allFinite())
   {
     throw Error(ErrorCode::InvalidGeometry,
       name +

@@ -7,6 +7,8 @@
 #include "Image/BitMask.h"
 #include "Image/FiniteVoxels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -84,20 +86,45 @@ private:
 /// image that is not a label map, a scan or a probability map, has many.
 struct LabelValues
 {
-  LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int
-  LowestValues Others{ 3 };  ///< neither such a number nor 0
+  /// Organs of one label map. Of six scans, those in MR have 421 to 1802 values, and the CT 2598.
+  static constexpr std::size_t MostOrgans = 255;
+  /// The largest atlases, of which one label is chosen, have as many.
+  static constexpr std::size_t Most = 1000;
+
+  LowestValues Labels{ 20 };      ///< whole numbers from 1 to the greatest int
+  LowestValues Others{ 3 };       ///< neither such a number nor 0
+  LowestValues Different{ Most }; ///< all but 0
 
   void Insert(double value)
   {
     const bool isLabel =
       value >= 1 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
     (isLabel ? this->Labels : this->Others).Insert(value);
+    this->Different.Insert(value);
+  }
+  void Insert(const LabelValues& others)
+  {
+    this->Labels.Insert(others.Labels);
+    this->Others.Insert(others.Others);
+    this->Different.Insert(others.Different);
   }
   /// Whether there are two values or more besides 0.
   bool AreSeveral() const { return this->Labels.Get().size() + this->Others.Get().size() > 1; }
   /// Whether they are those of a scan or of probabilities. A single value marks a mask, whatever
   /// it is.
   bool AreNoLabels() const { return this->AreSeveral() && !this->Others.Get().empty(); }
+  /// Whether no label map has them of which `label` is chosen, or all that are not 0 if it is
+  /// negative: there are too many, or fractions. A few negative numbers may be marks beside the
+  /// labels.
+  bool AreGrayValues(int label) const
+  {
+    const std::set<double>& others = this->Others.Get();
+    return this->Different.AreThereMore() || this->Others.AreThereMore() ||
+      (label < 0 && this->Different.Get().size() > MostOrgans) ||
+      (this->AreSeveral() &&
+        std::any_of(others.begin(), others.end(),
+          [](double value) { return value != std::floor(value); }));
+  }
 };
 
 /// Of an image whose voxels are finite.
@@ -120,8 +147,7 @@ LabelValues LabelsIn(const ImageView<T>& image, const ParallelFor& parallelFor)
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);
-      labels.Labels.Insert(found.Labels);
-      labels.Others.Insert(found.Others);
+      labels.Insert(found);
     });
   return labels;
 }

@@ -22,6 +22,9 @@ namespace
 constexpr int MostAlongAxis = 1 << 16;
 constexpr double MostVoxels = 4294967296.0; // half a gigabyte of bits
 
+const char* const WhatItNeeds = ", but a label map contains only whole numbers from 0 up, one for "
+                                "each organ; give it a label map";
+
 // A box of the reference's lattice that holds both; beyond its own grid, the reference is empty.
 ImageGeometry GridAround(const VoxelBox& box, const LabelMask& reference)
 {
@@ -128,7 +131,7 @@ SurfacePlace PlaceOf(const PointList& points, const TriangleList& triangles,
 void WarnOfLabels(const LabelMask& labelMap, bool isReference, bool isOtherOfOne,
   std::vector<std::string>& warnings)
 {
-  const LabelValues values = labelMap.Values();
+  const LabelValues& values = labelMap.Values;
   const std::string noLabels =
     WarningOfNoLabels(values, labelMap.Label, labelMap.Name, "counts as inside");
   if (!noLabels.empty())
@@ -151,7 +154,7 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
   {
     return;
   }
-  const LabelValues values = labelMap.Values();
+  const LabelValues& values = labelMap.Values;
   const std::string labels = TextOf(values.Labels);
   const std::string others = TextOf(values.Others);
   std::string message =
@@ -164,10 +167,26 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
   else
   {
     message += others.empty() ? ", all are 0; check that it is the intended label map"
-                              : "; it is not a label map; it contains " + others +
-        ", but a label map contains only whole numbers from 0 up; give it a label map";
+                              : "; it is not a label map; it contains " + others + WhatItNeeds;
   }
   throw Error(ErrorCode::EmptyMask, message);
+}
+
+// Of a scan or of probabilities, nothing is the organ.
+void RequireNoGrayValues(const LabelMask& labelMap)
+{
+  if (!labelMap.Values.AreGrayValues(labelMap.Label))
+  {
+    return;
+  }
+  const std::string others = TextOf(labelMap.Values.Others);
+  throw Error(ErrorCode::InvalidInput,
+    labelMap.Name + " is not a label map; it contains " +
+      (others.empty() ? "more than " +
+            std::to_string(labelMap.Label < 0 ? LabelValues::MostOrgans : LabelValues::Most) +
+            " different values"
+                      : others) +
+      WhatItNeeds);
 }
 
 } // namespace
@@ -179,8 +198,9 @@ LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& p
     throw Error(ErrorCode::InvalidGeometry, labels.Name + " has no voxels; give a label map");
   }
   RequireProperGrid(labels.Geometry, labels.Name);
-  LabelMask mask{ labels.MaskOf(label), label, labels.Values, labels.Name };
+  LabelMask mask{ labels.MaskOf(label), label, labels.Values(), labels.Name };
   RequireLabel(mask, property);
+  RequireNoGrayValues(mask);
   return mask;
 }
 
@@ -262,7 +282,7 @@ SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& r
       "wrong");
     warn(FractionOutside(known, Moved(place, box.Begin)), reference, segmentation, "missed");
     const auto isOfOne = [](const LabelMask& mask)
-    { return mask.Label >= 0 || !mask.Values().AreSeveral(); };
+    { return mask.Label >= 0 || !mask.Values.AreSeveral(); };
     WarnOfLabels(segmentation, false, isOfOne(reference), scores.Warnings);
     WarnOfLabels(reference, true, isOfOne(segmentation), scores.Warnings);
   }

@@ -8,7 +8,6 @@
 #include "Image/LabelValues.h"
 #include "Measures/LabelSurface.h"
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -45,18 +44,18 @@ struct SegmentationScores
   bool Complete = false;
 };
 
-/// The voxels of one label of a label map, or of all, and where these are asked for, its values.
+/// The voxels of one label of a label map, or of all, and its values.
 struct LabelMask
 {
   BitMask Mask;
   int Label = -1;
-  std::function<LabelValues()> Values;
+  LabelValues Values;
   std::string Name = "the label map"; ///< in messages
 };
 
-/// The voxels of a label, or all nonzero voxels for a negative one. Throws Error
-/// for a label map without voxels or a proper grid, for a voxel that is not a finite number, and
-/// where no voxel has the label, unless it is negative. `property` is what chooses the label.
+/// The voxels of a label, or all nonzero voxels for a negative one. Throws Error for a label map
+/// without voxels or a proper grid, for a voxel that is not a finite number, where no voxel has the
+/// label, unless it is negative, and for gray values. `property` is what chooses the label.
 LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property);
 
 /// Both compare on a grid that holds segmentation and reference: what lies outside the grid of one

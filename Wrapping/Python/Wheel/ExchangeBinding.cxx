@@ -125,10 +125,11 @@ std::array<double, 3> TripleOf(const Eigen::Vector3d& place)
 }
 
 // The number of the kind, the place and the radius of each.
-std::vector<nb::tuple> ConstraintsIn(const std::string& name, const std::string& text)
+std::vector<nb::tuple> ConstraintsIn(const std::string& name, const std::string& text,
+  const std::string& whatTakesPlaces)
 {
   std::vector<nb::tuple> rows;
-  for (const PointConstraint& point : ReadConstraintTable(name, text))
+  for (const PointConstraint& point : ReadConstraintTable(name, text, whatTakesPlaces))
   {
     rows.push_back(
       nb::make_tuple(static_cast<int>(point.Kind), TripleOf(point.Point), point.Radius));

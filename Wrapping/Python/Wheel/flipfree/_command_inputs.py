@@ -44,7 +44,8 @@ def require_sense_of_corrections(values: dict[str, Any]) -> None:
 
 def points_of(values: dict[str, Any]) -> list[Constraint]:
     """The corrections; those of the file first."""
-    points = read_points(values["points"]) if "points" in values else []
+    takers = "--inside-stroke or --outside-stroke"
+    points = read_points(values["points"], takers) if "points" in values else []
     given: dict[str, Any] = {kind: [] for kind in POINTS}
     for option in (*POINTS, *STROKES):
         for value in values.get(option, ()):

@@ -10,6 +10,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from . import _kernels
@@ -43,9 +44,13 @@ class _Wrong(Exception):
     """What is wrong in a file."""
 
 
-def read_points(path: str) -> list[Constraint]:
-    """The points that correct a segmentation, in the file's order; raises FileError."""
-    found = _read(path, _constraints_of_table, _constraint_of_control, "kind, x, y, z and radius")
+def read_points(path: str, what_takes_places: str = "") -> list[Constraint]:
+    """The points that correct a segmentation, in the file's order; raises FileError.
+
+    Of a table of x, y and z alone, the error says what takes it, if anything.
+    """
+    of_table = partial(_constraints_of_table, what_takes_places)
+    found = _read(path, of_table, _constraint_of_control, "kind, x, y, z and radius")
     if not found:
         warn(f"'{path}' holds no points, so nothing is corrected by it.")
     return found
@@ -103,8 +108,8 @@ def _read(
         ) from error
 
 
-def _constraints_of_table(path: str, text: str) -> list[Constraint]:
-    rows = _kernels.read_constraint_table(path, text)
+def _constraints_of_table(what_takes_places: str, path: str, text: str) -> list[Constraint]:
+    rows = _kernels.read_constraint_table(path, text, what_takes_places)
     return [Constraint(kind, tuple(place), radius) for kind, place, radius in rows]
 
 

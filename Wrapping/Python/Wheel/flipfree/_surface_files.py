@@ -76,7 +76,7 @@ def read_surface(path: PathName) -> Surface:
 
 def _read_vtp(name: str, content: bytes) -> Surface:
     _kernels.validate_vtp(name, content)
-    reader: Any = needed("vtkmodules.vtkIOXML", "to read .vtp files", "pyvista").vtkXMLPolyDataReader()
+    reader: Any = needed("vtkmodules.vtkIOXML", "reading .vtp files", "pyvista").vtkXMLPolyDataReader()
     from ._vtk_objects import surface_of_vtk
 
     errors: list[str] = []
