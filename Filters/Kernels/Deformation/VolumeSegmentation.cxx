@@ -83,8 +83,8 @@ Eigen::VectorXd ShiftsOf(const OrganSurface& organ)
     : DistanceQuery(first.Points, first.Mesh.Triangles).DistancesOf(organ.Points);
 }
 
-// Whether a warning says that the seed is not within the organ. The evidence of the confidence and
-// the parts that are asked about presuppose that it is.
+// Whether a warning says that the seed is not within the organ, as the parts that are asked about
+// presuppose.
 bool IsSeedDoubtful(const OrganSurface& organ, const Implausibility& finding)
 {
   return organ.Reason == StopReason::NoBoundaryFound ||
@@ -299,9 +299,9 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   const Implausibility finding = CheckPlausibility(organ, this->Region, geometry, this->Seed.Radius,
     method, this->StartsAtSeed && !this->Given && organ.Reason != StopReason::NoBoundaryFound);
   const bool isSeedDoubtful = !this->MixedSeed.empty() || IsSeedDoubtful(organ, finding);
-  if (isSeedDoubtful)
+  if (!this->MixedSeed.empty())
   {
-    result.Confidence.OfSurface *= ConfidenceLeftByDoubtfulSeed;
+    result.Confidence.OfSurface *= ConfidenceLeftByMixedSeed;
   }
   result.Warnings = WarningsOf(organ, finding, geometry, this->Seed, method);
   for (const std::string& warning :

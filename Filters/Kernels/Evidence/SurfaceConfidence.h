@@ -60,12 +60,11 @@ struct SurfaceConfidence
 /// lower, 71 and 0.
 constexpr double DoubtfulConfidence = 0.85;
 
-/// What is left of the surface's confidence where the seed is not within the organ, as the evidence
-/// takes it to be: a large sphere then says nothing about the organ's size, and the depth of its
-/// center nothing about a leak. From seeds larger than two kidneys, an aorta and a gallbladder of a
-/// phantom, the mean confidence would be 0.78, and the mean Dice score is 0.20; of two of 115
-/// organs that are warned of, one is wrong.
-constexpr double ConfidenceLeftByDoubtfulSeed = 0.5;
+/// What is left of the surface's confidence where the seed holds more than one tissue: a large
+/// sphere then says nothing about the organ's size, and the depth of its center nothing about a
+/// leak. From seeds larger than two kidneys, an aorta and a gallbladder of a phantom, the mean
+/// confidence would be 0.78, and the mean Dice score is 0.20.
+constexpr double ConfidenceLeftByMixedSeed = 0.25;
 
 /// `read` reads the image before smoothing; `shifts` are the distances of the vertices from the
 /// surface that the first run ended with, in millimeters; empty if there was none, and then nothing
