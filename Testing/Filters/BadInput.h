@@ -30,15 +30,21 @@ const Eigen::Vector3d ExampleCenter(46.5, 46.5, 46.5);
 constexpr double ExampleRadius = 18;
 
 /// A bright sphere of radius 30 mm in 32 x 32 x 32 voxels of 3 mm.
-inline vtkSmartPointer<vtkImageData> SphereImage()
+inline vtkSmartPointer<vtkImageData> SphereImage(int port = 0)
 {
   vtkNew<vtkPhantomSource> phantom;
   phantom->SetDimensions(32, 32, 32);
   phantom->SetSpacing(3, 3, 3);
   phantom->Update();
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->DeepCopy(phantom->GetOutput());
+  image->DeepCopy(phantom->GetOutputDataObject(port));
   return image;
+}
+
+/// The sphere's label map.
+inline vtkSmartPointer<vtkImageData> SphereLabels()
+{
+  return SphereImage(1);
 }
 
 inline vtkSmartPointer<vtkImageData> ImageOfType(int type, int components = 1)

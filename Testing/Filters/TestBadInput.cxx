@@ -131,7 +131,7 @@ vtkSmartPointer<vtkSegmentationMetrics> MakeMetrics()
 {
   auto filter = vtkSmartPointer<vtkSegmentationMetrics>::New();
   filter->SetInputData(StartSphere());
-  filter->SetReferenceData(SphereImage());
+  filter->SetReferenceData(SphereLabels());
   filter->SetSampleSpacing(10);
   return filter;
 }
@@ -346,7 +346,7 @@ TEST(BadInput, SegmentationsToMeasure)
       { "not finite", ImageWith(NotANumber), { "(45, 48, 51) mm", "not a finite number" } },
     });
   ExpectRefusedAndRecovered(labelMaps, metrics, 1, "the reference on port 1");
-  metrics->SetReferenceData(SphereImage());
+  metrics->SetReferenceData(SphereLabels());
   const std::string noun = "the segmentation on port 0";
   ExpectRefusedAndRecovered(labelMaps, metrics, 0, noun);
   ExpectRefusedAndRecovered(BadPolygons(), metrics, 0, noun);

@@ -117,8 +117,8 @@ private:
       const std::array<int, 3> index = IndexOf(voxel, voxels);
       if (this->Known.Before(index[0], index[1], index[2]))
       {
-        this->Organ.push_back({ voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2])),
-          this->Known.Image.Row(index[1], index[2])[index[0]] });
+        this->Organ.push_back(
+          { CenterOf(voxel, voxels), this->Known.Image.Row(index[1], index[2])[index[0]] });
       }
     }
     this->OfOrgan = this->StatisticsOfOrgan([](const OrganVoxel&) { return true; });

@@ -288,10 +288,9 @@ private:
       for (const std::size_t voxel :
         VoxelsInSphere(geometry, { correction.Point, BallOf(correction, geometry) }))
       {
-        const std::array<int, 3> index = IndexOf(voxel, geometry);
-        if (!correction.IsHeld(geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]))))
+        if (!correction.IsHeld(CenterOf(voxel, geometry)))
         {
-          certain.push_back(index);
+          certain.push_back(IndexOf(voxel, geometry));
         }
       }
       certain.push_back(NearestVoxel(geometry, correction.Point));

@@ -86,9 +86,8 @@ double PointWorth::ReachOfOrgan(const ImagePart& image, const ImageGeometry& vox
   for (const std::size_t voxel : VoxelsInSphere(voxels, { this->Wanted.Point, limit }))
   {
     const std::array<int, 3> index = IndexOf(voxel, voxels);
-    const Eigen::Vector3d place = voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
     const float value = image.Row(index[1], index[2])[index[0]];
-    shells.Add((place - this->Wanted.Point).norm(),
+    shells.Add((CenterOf(voxel, voxels) - this->Wanted.Point).norm(),
       this->Similarity.LikenessOf(value, this->NotVaried) > 0 ||
         this->Similarity.LikenessOf(value, this->Organ.OfOrgan) > 0);
   }

@@ -165,9 +165,8 @@ private:
   // By the nearest voxel.
   void Read(std::size_t place)
   {
-    const auto [i, j, k] = IndexOf(place, this->Grid);
     Disk& disk = this->Disks[place];
-    disk.Center = this->Grid.ToPhysical(Eigen::Vector3d(i, j, k));
+    disk.Center = CenterOf(place, this->Grid);
     const ImageGeometry& geometry = this->Image.Geometry;
     const Eigen::Array3i voxel = geometry.ToIndex(disk.Center).array().round().cast<int>();
     if (geometry.Contains(voxel[0], voxel[1], voxel[2]))
@@ -350,12 +349,12 @@ BitMask MaskOf(const std::vector<Disk>& vein, const ImageGeometry& geometry)
     const double reach = std::max(high.Radius, vein[next].Radius) + Wall + step.norm() / 2;
     for (const std::size_t voxel : VoxelsAround(geometry, { high.Center + step / 2, reach }))
     {
-      const auto [i, j, k] = IndexOf(voxel, geometry);
-      const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - high.Center;
+      const Eigen::Vector3d point = CenterOf(voxel, geometry) - high.Center;
       const double part = point.z() / step.z();
       const double radius = high.Radius + part * (vein[next].Radius - high.Radius) + Wall;
       if (part >= 0 && part <= 1 && (point - part * step).squaredNorm() <= radius * radius)
       {
+        const auto [i, j, k] = IndexOf(voxel, geometry);
         mask.Insert(i, j, k);
       }
     }
