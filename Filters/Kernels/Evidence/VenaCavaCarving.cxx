@@ -4,7 +4,7 @@
 #include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
-#include "Intensity/RobustStatistics.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <array>
