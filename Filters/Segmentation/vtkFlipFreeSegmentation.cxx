@@ -1,5 +1,6 @@
 #include "vtkFlipFreeSegmentation.h"
 
+#include "FilterAdvice.h"
 #include "FilterReport.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
