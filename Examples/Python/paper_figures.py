@@ -461,7 +461,7 @@ def in_seed_slice(case, labels):
     return 2 * (found & truth).sum() / (found.sum() + truth.sum())
 
 
-def figure_5(path, folder):
+def figure_5(path, folder, methods=None):
     """A liver: the seed, FlipFree by defaults and as published, and the methods of the paper, if they are at hand."""
     case = liver(folder)
     truth = truth_of(case)
@@ -479,12 +479,12 @@ def figure_5(path, folder):
                                  f"{letter}  FlipFree, {name}: Dice {scores.dice:.2f}"))
         surfaces.append(scene.space_view(
             [defect_actor(organ.surface)],
-            f"{('gh' if figure_5.methods else 'de')[len(surfaces)]}  {name}: {organ.self_intersections} self-intersections",
+            f"{('gh' if methods else 'de')[len(surfaces)]}  {name}: {organ.self_intersections} self-intersections",
             zoom=1.1, bounds=None if surfaces else truth.GetBounds()))
     for letter, method, title in (("d", "level-set-threshold", "level set"),
                                   ("e", "graph-cut-slices", "graph cut"),
-                                  ("f", "gvf-snake", "GVF snake")) if figure_5.methods else ():
-        surface, labels = found_by(figure_5.methods, method, case)
+                                  ("f", "gvf-snake", "GVF snake")) if methods else ():
+        surface, labels = found_by(methods, method, case)
         dice = (in_seed_slice(case, labels) if method == "gvf-snake" else
                 flipfree.evaluate(labels, case.truth, reference_label=case.label).dice)
         print(f"{case.name}, {title}: Dice {dice:.3f}")
@@ -492,9 +492,6 @@ def figure_5(path, folder):
                                  f"{letter}  {title}: Dice {dice:.2f}"))
     views += surfaces
     draw(path, [views[:4], views[4:]], size=400)
-
-
-figure_5.methods = None
 
 
 def figure_6(path, folder):
@@ -536,12 +533,12 @@ def main():
     parser.add_argument("--scale", type=float, default=1, help="size of the pictures, 0.5 to 2")
     arguments = parser.parse_args()
     draw.scale = arguments.scale
-    figure_5.methods = arguments.methods
     if arguments.data and not (arguments.data / "cases.csv").is_file():
         parser.error(f"there is no cases.csv in {arguments.data}")
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    for number in arguments.only or FIGURES:
-        FIGURES[number](arguments.folder / f"figure-{number}.png", arguments.data)
+    figures = {**FIGURES, 5: functools.partial(figure_5, methods=arguments.methods)}
+    for number in arguments.only or figures:
+        figures[number](arguments.folder / f"figure-{number}.png", arguments.data)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,8 @@ std::vector<GateRow> ReadGate(const std::string& file);
 void WriteGate(const std::string& file, const std::vector<GateRow>& rows);
 
 /// Prints what has changed: surfaces, and Dice by more than 0.002. Returns whether the change may
-/// pass: no row that was measured loses more than 0.02, and the median of no organ more than 0.003.
+/// pass: each row that was measured is in the table and loses no more than 0.02, and the median of
+/// no organ more than 0.003.
 bool PassesGate(const std::vector<GateRow>& before, const std::vector<GateRow>& after);
 
 #endif

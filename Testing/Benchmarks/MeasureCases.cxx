@@ -37,11 +37,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -227,6 +227,7 @@ void MeasureSeeds(const Case& row, const Options& options)
 } // namespace
 
 int main(int argc, char* argv[])
+try
 {
   Options options;
   CLI::App app("Measures the segmentation over the rows of a list of cases.");
@@ -238,8 +239,10 @@ int main(int argc, char* argv[])
   app.add_option("--seeds", options.Seeds, "random seeds per row in place of the row's own");
   app.add_flag("--fill", options.Fill, "fill the reference label in place of a segmentation");
   app.add_option("--surfaces", options.Surfaces, "folder that takes the surfaces");
-  app.add_option("--gate", options.Gate, "table of earlier results to compare with");
-  app.add_option("--write-gate", options.WriteGate, "file that takes such a table");
+  app.add_option("--gate", options.Gate, "table of earlier results to compare with")
+    ->excludes("--seeds");
+  app.add_option("--write-gate", options.WriteGate, "file that takes such a table")
+    ->excludes("--seeds");
   app.add_option("--threads", options.Threads, "number of threads");
   app.add_option("--set", options.Parameters, "Name=value of a parameter, as its setter is called");
   CLI11_PARSE(app, argc, argv);
@@ -258,8 +261,13 @@ int main(int argc, char* argv[])
   }
   std::map<std::string, std::vector<double>> scores;
   std::map<std::string, std::vector<double>> offsets;
-  std::vector<GateRow> gate;
+  std::vector<GateRow> rowsBefore;
+  std::vector<GateRow> rowsAfter;
   std::vector<Case> cases;
+  if (!options.Gate.empty())
+  {
+    rowsBefore = ReadGate(options.Gate); // a wrong file is told before minutes of work
+  }
   for (const std::string& list : options.Cases)
   {
     const std::vector<Case> rows = ReadCases(options.Data + "/" + list);
@@ -286,7 +294,7 @@ int main(int argc, char* argv[])
       const RowResult result = MeasureRow(row, options);
       scores[row.Organ].push_back(result.Dice);
       offsets[row.Organ].push_back(result.Offset);
-      gate.push_back({ row.Name, row.Organ, result.Dice, result.Hash });
+      rowsAfter.push_back({ row.Name, row.Organ, result.Dice, result.Hash });
     }
   }
   for (const auto& organ : scores)
@@ -298,17 +306,14 @@ int main(int argc, char* argv[])
   globular.insert(globular.end(), scores["spleen"].begin(), scores["spleen"].end());
   std::printf("median Dice, liver and spleen: %.3f\n", Median(globular));
   std::printf("peak memory: %.0f MB\n", PeakMemory() / 1e6);
-  try
+  if (!options.WriteGate.empty())
   {
-    if (!options.WriteGate.empty())
-    {
-      WriteGate(options.WriteGate, gate);
-    }
-    return options.Gate.empty() || PassesGate(ReadGate(options.Gate), gate) ? 0 : 1;
+    WriteGate(options.WriteGate, rowsAfter);
   }
-  catch (const std::runtime_error& error)
-  {
-    std::fprintf(stderr, "MeasureCases: %s\n", error.what());
-    return 1;
-  }
+  return options.Gate.empty() || PassesGate(rowsBefore, rowsAfter) ? 0 : 1;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "MeasureCases: %s\n", error.what());
+  return 1;
 }

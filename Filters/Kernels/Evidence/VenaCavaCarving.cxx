@@ -253,9 +253,10 @@ public:
   // In the organ, from the top to the bottom.
   std::vector<Disk> Execute() const
   {
-    const Chains below = this->Follow(1, false, nullptr);
-    const Chains above = this->Follow(-1, false, nullptr);
-    const Chains inOrgan = this->Follow(1, true, &below);
+    const std::vector<float> none(this->Disks.size(), 0);
+    const Chains below = this->Follow(1, false, none);
+    const Chains above = this->Follow(-1, false, none);
+    const Chains inOrgan = this->Follow(1, true, below.Score);
     Link top;
     Link alone;
     for (std::ptrdiff_t disk = 0; disk < this->Count; ++disk)
@@ -314,11 +315,10 @@ private:
   }
 
   // Slice after slice up or down, through disks in the organ or through the others. Chains begin
-  // anywhere, and where those of `entry` end.
-  Chains Follow(int direction, bool inOrgan, const Chains* entry) const
+  // anywhere, and where those that have the scores end.
+  Chains Follow(int direction, bool inOrgan, const std::vector<float>& scores) const
   {
-    Chains chains{ entry ? entry->Score : std::vector<float>(this->Count, 0),
-      std::vector<std::ptrdiff_t>(this->Count, -1) };
+    Chains chains{ scores, std::vector<std::ptrdiff_t>(this->Disks.size(), -1) };
     for (std::ptrdiff_t step = 0; step < this->Count; ++step)
     {
       const std::ptrdiff_t disk = direction > 0 ? step : this->Count - 1 - step;
@@ -390,6 +390,10 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   }
   const std::vector<Disk> disks = DiskSearch(smooth, organ, grid).Execute(parallelFor);
   const std::vector<Disk> vein = VeinSearch(grid, disks).Execute();
+  if (vein.empty() || vein.front().Center.z() - vein.back().Center.z() < LeastInOrgan)
+  {
+    return true;
+  }
   const std::vector<std::size_t> sources = VoxelsAround(geometry, seed);
   const BitMask removed = MaskOf(vein, geometry);
   const auto isRemoved = [&](std::size_t voxel)
@@ -397,8 +401,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
     const auto [i, j, k] = IndexOf(voxel, geometry);
     return removed(i, j, k);
   };
-  if (vein.empty() || vein.front().Center.z() - vein.back().Center.z() < LeastInOrgan ||
-    std::any_of(sources.begin(), sources.end(), isRemoved))
+  if (std::any_of(sources.begin(), sources.end(), isRemoved))
   {
     return true;
   }
