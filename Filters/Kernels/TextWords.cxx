@@ -33,7 +33,7 @@ std::size_t Utf8LengthAt(const std::string& text, std::size_t at)
 
 } // namespace
 
-std::string WithSmallFirst(std::string text)
+std::string WithSmallFirst(const std::string& text)
 {
   return InSmallLetters(text.substr(0, 1)) + text.substr(std::min<std::size_t>(1, text.size()));
 }

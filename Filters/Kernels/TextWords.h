@@ -14,7 +14,7 @@ namespace FlipFree
 std::string InSmallLetters(std::string text);
 
 /// The first letter made small: distanceTolerance.
-std::string WithSmallFirst(std::string text);
+std::string WithSmallFirst(const std::string& text);
 
 /// Without white space at both ends.
 std::string Trimmed(const std::string& text);
