@@ -76,6 +76,21 @@ TEST(SegmentationWarnings, ASeedThatReachesOutOfTheOrganIsNoticed)
   }
 }
 
+// In a liver, a sphere of 2 mm finds no boundary.
+TEST(SegmentationWarnings, ASurfaceWithoutBoundaryMayComeFromASmallSeed)
+{
+  ImageGeometry image;
+  image.Dimensions = { { 40, 40, 40 } };
+  const SeedSphere seed{ Eigen::Vector3d::Constant(20), 2 };
+  const std::vector<std::string> warnings =
+    WarningsOf(OrganSurface(), { ImplausibilityReason::NoBoundary, 0.85 }, image, seed, {});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(WithNames(warnings[0], { { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" } }),
+    "85 % of the surface found no boundary, so it may not be an organ's; check that the seed "
+    "sphere lies within the organ and not in air, or move --seed, or raise --radius where the "
+    "sphere is far too small.");
+}
+
 TEST(SegmentationWarnings, OfAFewVoxelsTheScatterIsChance)
 {
   FloatImage image = NoisyBall(0);

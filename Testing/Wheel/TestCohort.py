@@ -238,8 +238,9 @@ class Local(CohortTest):
         self.assertEqual((asked["status"], asked["questions"]), ("done", 1), asked["message"])
         place = [float(word) for word in asked["first_question"].split()]
         self.assertLess(numpy.abs(numpy.subtract(place, lobed_ball.LOBE)).max(), 8)
-        self.assertIn(f"<dt>questions</dt><dd>1, the first at {asked['first_question']} mm</dd>",
-                      (self.out / "report.html").read_text(encoding="utf-8"))
+        report = (self.out / "report.html").read_text(encoding="utf-8")
+        self.assertIn(f"<dt>questions</dt><dd>1, the first at {asked['first_question']} mm</dd>", report)
+        self.assertRegex(report, "(?s)a cohort of 1 row</title>.*<h1>1 row, 0 failed</h1>")
         answered = flipfree.cohort([{**row, "inside": asked["first_question"]}], self.out, workers=1).rows[0]
         self.assertEqual((answered["questions"], answered["first_question"]), (0, None))
         self.assertGreater(answered["segmented_ml"], asked["segmented_ml"] + 20)
@@ -267,6 +268,7 @@ class Local(CohortTest):
         """Failed rows come first, messages are text, and pictures are in the file."""
         report = (self.out / "report.html").read_text(encoding="utf-8")
         self.assertEqual(report.count("<article"), 11)
+        self.assertRegex(report, "(?s)a cohort of 11 rows</title>.*<h1>11 rows, 9 failed</h1>")
         self.assertEqual(len(re.findall(r'src="data:image/jpeg;base64,[\w+/=]{10000,}"', report)), 2)
         kinds = re.findall(r'<article class="(\w+)"', report)
         self.assertEqual(kinds, ["failed"] * 9 + ["done"] * 2)

@@ -53,7 +53,12 @@ class Options(unittest.TestCase):
         for name in ("segment", "trace", "surfaces", "evaluate", "series", "phantom"):
             ours, theirs = (re.sub(" +\n", "\n", run(name, "--help", program=program).stdout)
                             for program in (OURS, TOOLKIT))
+            if name == "segment":  # matplotlib draws its pictures
+                self.assertIn("needs\nmatplotlib", ours)
+                theirs = theirs.replace(" a\ndisplay (or xvfb-run -a).",
+                                        "\nmatplotlib, which the extra plot installs, and no display.")
             self.assertEqual(ours, theirs)
+            self.assertNotIn("xvfb", ours)
         self.assertIn("  cohort ", run("--help").stdout)
         # Examples work without the packages of extras.
         self.assertNotRegex(run("--help").stdout + run("evaluate", "--help").stdout, r"evaluate \S+\.vtp")
@@ -62,6 +67,19 @@ class Options(unittest.TestCase):
         process = run("-m", "flipfree", "--version", program=sys.executable)
         self.assertEqual(process.stdout, f"flipfree {flipfree.__version__}\n")
         self.assertEqual(process.stdout, run("--version").stdout)
+
+    def test_standard_output_that_nobody_reads(self):
+        """As behind `| head`, it is no error; where there is no space, it is one."""
+        for arguments in (("segment", "--help"), ("--version",)):
+            reader, writer = os.pipe()
+            os.close(reader)
+            with self.subTest(arguments), open(writer, "wb") as closed, open("/dev/full", "wb") as full:
+                for output, status, message in ((closed, 128 + signal.SIGPIPE, r"\Z"),
+                                                (full, 1, r"flipfree: error: Writing failed \(.*\)\.\n\Z")):
+                    process = subprocess.run([OURS, *arguments], stdout=output, stderr=subprocess.PIPE, text=True, timeout=120,
+                                             check=False)
+                    self.assertEqual(process.returncode, status)
+                    self.assertRegex(process.stderr, rf"\A{message}")
 
 
 class Work(unittest.TestCase):

@@ -70,7 +70,7 @@ class Guide(unittest.TestCase):
             process = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                      timeout=300, check=False)
             self.assertEqual((process.returncode, process.stdout, process.stderr), (0, "", ""))
-            self.assertGreater((Path(folder) / "liver.png").stat().st_size, 50000)
+            self.assertGreater((Path(folder) / "liver-slices.png").stat().st_size, 50000)
 
 
 if __name__ == "__main__":

@@ -75,7 +75,8 @@ std::string WarningOf(const Implausibility& finding, double reach)
     case ImplausibilityReason::NoBoundary:
       return percent +
         " of the surface found no boundary, so it may not be an organ's; check that the seed "
-        "sphere lies within the organ and not in air, or move {SeedCenter}.";
+        "sphere lies within the organ and not in air, or move {SeedCenter}, or raise {SeedRadius} "
+        "where the sphere is far too small.";
     case ImplausibilityReason::ImageBoundary:
       return percent +
         " of the surface lies at the image's border along two axes, so it may follow what "

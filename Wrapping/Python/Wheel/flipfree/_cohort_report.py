@@ -35,6 +35,7 @@ def report_of(rows: list[dict[str, Any]], folder: str) -> str:
     """The file's text; failed rows first, then those of the least confidence."""
     ordered = sorted(rows, key=lambda row: (row["status"] == "done", row["confidence"] or 0.0))
     failed = sum(row["status"] != "done" for row in rows)
+    noun = "row" if len(rows) == 1 else "rows"
     cards = [
         _card(row, f"{index + 1}", folder if index < PICTURES else None)
         for index, row in enumerate(ordered[:LISTED])
@@ -44,8 +45,8 @@ def report_of(rows: list[dict[str, Any]], folder: str) -> str:
         (
             '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>FlipFree: a cohort of {len(rows)} rows</title>\n<style>{STYLE}</style>\n</head>\n<body>",
-            f"<h1>{len(rows):,} rows, {failed:,} failed</h1>",
+            f"<title>FlipFree: a cohort of {len(rows)} {noun}</title>\n<style>{STYLE}</style>\n</head>\n<body>",
+            f"<h1>{len(rows):,} {noun}, {failed:,} failed</h1>",
             "<p>Failed rows come first, then those of the least confidence, which reads like the Dice score to "
             "expect; below 0.85 a result is doubtful. Pictures: axial, sagittal and coronal slices through the "
             "surface's center, their contour blue where the image does not support it, and the surface from "

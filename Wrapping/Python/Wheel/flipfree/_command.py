@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import signal
 import sys
 import warnings
 from collections.abc import Callable, Sequence
@@ -22,6 +23,7 @@ PARAMETERS = {
     "trace": TRACE_PARAMETERS,
 }
 SUCCESS, FAILURE, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
+NOBODY_READS = 128 + signal.SIGPIPE  # as shells say of the toolkit's, which the signal ends
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -45,6 +47,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except MemoryError:
             _complain("error", "Out of memory. Crop the volume, or use a machine with more memory.")
             status = FAILURE
+        except BrokenPipeError:
+            _discard_output()
+            status = NOBODY_READS
         except OSError as error:
             _complain("error", f"Writing failed ({error.strerror or error}).")
             status = FAILURE
@@ -64,6 +69,13 @@ def _open_standard_streams() -> None:
         sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
     if sys.stderr is None:
         sys.stderr = open(2, "w", encoding="utf-8", closefd=False)
+
+
+def _discard_output() -> None:
+    """What is still to be written goes nowhere; else Python complains of it when it ends."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 1)
+    os.close(nowhere)
 
 
 def _run(words: list[str]) -> None:

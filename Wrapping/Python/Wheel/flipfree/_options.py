@@ -1,7 +1,7 @@
 """The options of the command, from the table that the command of the toolkit prints.
 
 `_options.json` is what `flipfree --generate json` of the toolkit says, so both commands have the same
-options, with the same words.
+options, with the same words but for those of OURS.
 """
 
 from __future__ import annotations
@@ -22,6 +22,11 @@ MOST_THREADS = 1024
 # Of values that are not the keywords of a function.
 INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
 TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE", "FORMAT"}
+
+# Of the toolkit's help, what is not true of this command, and what is.
+OURS = {
+    "it needs a\ndisplay (or xvfb-run -a).": "it needs\nmatplotlib, which the extra plot installs, and no display.",
+}
 
 COHORT: Entry = {
     "name": "cohort",
@@ -85,7 +90,10 @@ class Repeated(argparse.Action):
 def table() -> list[Entry]:
     """The program and its subcommands."""
     text = resources.files(__package__).joinpath("_options.json").read_text(encoding="utf-8")
-    entries: list[Entry] = json.loads(text)
+    entries: list[dict[str, Any]] = json.loads(text)
+    for entry in entries:
+        for theirs, ours in OURS.items():
+            entry["footer"] = entry["footer"].replace(theirs, ours)
     return [*entries, COHORT]
 
 
