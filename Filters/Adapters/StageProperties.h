@@ -3,12 +3,12 @@
  *
  * A property is a field of the settings that the filter's kernel takes, so that its default stands
  * there and nothing is copied. The filter's header declares and documents SetName() and GetName();
- * its source lists Name, type, field, minimum and maximum:
+ * its source names the list (SegmentationParameters.h), and adds what is the filter's own:
  *
- *     #define FLIPFREE_STAGE vtkFlipFreeDeform
- *     #define PROPERTIES(P)                                     \
- *       P(FlipThreshold, double, Settings->FlipThreshold, 0, 1) \
- *       P(AvoidFlips, bool, Settings->AvoidFlips, false, true)
+ *     #define FLIPFREE_STAGE vtkCorrespondenceSearch
+ *     #define PROPERTIES(P)                       \
+ *       P(Threshold, double, Threshold, 0, 1, "") \
+ *       FLIPFREE_TARGET_PARAMETERS(P, Settings->)
  *     PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
  *
  * which defines the two functions of each. The same list prints all of them, and rejects NaN. The
@@ -45,7 +45,7 @@ inline void SetSeedRadius(vtkObject* filter, double value, double& field)
 
 } // namespace FlipFree
 
-#define FLIPFREE_DEFINE_PROPERTY(Name, type, field, minimum, maximum)                              \
+#define FLIPFREE_DEFINE_PROPERTY(Name, type, field, minimum, maximum, ...)                         \
   void FLIPFREE_STAGE::Set##Name(type value)                                                       \
   {                                                                                                \
     FlipFree::SetClamped<type>(this, value, minimum, maximum, this->field);                        \
@@ -69,11 +69,10 @@ inline void SetSeedRadius(vtkObject* filter, double value, double& field)
   }
 
 /// In PrintSelf(os, indent).
-#define FLIPFREE_PRINT_PROPERTY(Name, type, field, minimum, maximum)                               \
+#define FLIPFREE_PRINT_PROPERTY(Name, type, field, ...)                                            \
   os << indent << #Name << ": " << this->field << "\n";
 
 /// In the list that FlipFree::RequireNumbers() takes.
-#define FLIPFREE_NAME_PROPERTY(Name, type, field, minimum, maximum)                                \
-  { #Name, static_cast<double>(this->field) },
+#define FLIPFREE_NAME_PROPERTY(Name, type, field, ...) { #Name, static_cast<double>(this->field) },
 
 #endif

@@ -15,12 +15,12 @@
 
 #define FLIPFREE_SCORE_PARAMETERS(P, S)                                                            \
   P(SegmentationLabel, int, S SegmentationLabel, std::numeric_limits<int>::min(),                  \
-    std::numeric_limits<int>::max())                                                               \
+    std::numeric_limits<int>::max(), "N")                                                          \
   P(ReferenceLabel, int, S ReferenceLabel, std::numeric_limits<int>::min(),                        \
-    std::numeric_limits<int>::max())                                                               \
-  P(SampleSpacing, double, S SampleSpacing, 0.001, 1000)                                           \
-  P(LabelSmoothing, int, S LabelSmoothing, 0, 100)                                                 \
-  P(ScoreVoxelization, bool, S ScoreVoxelization, false, true)
+    std::numeric_limits<int>::max(), "N")                                                          \
+  P(SampleSpacing, double, S SampleSpacing, 0.001, 1000, "MM")                                     \
+  P(LabelSmoothing, int, S LabelSmoothing, 0, 100, "N")                                            \
+  P(ScoreVoxelization, bool, S ScoreVoxelization, false, true, "")
 
 // NOLINTEND(bugprone-macro-parentheses)
 
