@@ -15,8 +15,6 @@ const ParameterTable<VolumeSegmentationSettings>& SegmentationParameters()
     FLIPFREE_WHOLE_PARAMETERS(FLIPFREE_PARAMETER, settings.)
     FLIPFREE_SMOOTHING_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Smoothing., DiffusionIterations)
     FLIPFREE_FEATURE_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Feature.)
-    FLIPFREE_PARAMETER(Modality, Modality, settings.Method.Feature.Modality, 0, 2, "N",
-      "Scale of the gray values, for {Carving}; 0: automatic, 1: CT, 2: MR", "Feature")
     FLIPFREE_TARGET_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Targets.)
     FLIPFREE_STEP_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Step.)
   };

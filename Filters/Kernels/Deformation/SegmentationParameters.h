@@ -32,7 +32,8 @@
     "Start")                                                                                       \
   P(LabelValue, int, S LabelValue, 1, 255, "N",                                                    \
     "Value of the organ in the label map, 1 to 255; of several, of the first", "Result")           \
-  P(KeepHistory, bool, S KeepHistory, false, true, "", "Keep the surface of every iteration",      \
+  P(KeepHistory, bool, S KeepHistory, false, true, "",                                             \
+    "Keep the surface of every iteration as a time step: the play button shows it grow",           \
     "History")
 
 // The stage and the whole method have different names for its iterations.
@@ -69,7 +70,9 @@
   P(ClosingRadius, double, S Leaks.ClosingRadius, 0, 1000, "MM",                                   \
     "Radius of the foreground's closing", "Feature")                                               \
   P(OpeningScale, double, S Leaks.OpeningScale, 0, 1000, "F",                                      \
-    "Radius of the foreground's opening, in seed radii; 0: none", "Feature")
+    "Radius of the foreground's opening, in seed radii; 0: none", "Feature")                       \
+  P(Modality, FlipFree::Modality, S Modality, 0, 2, "N",                                           \
+    "Scale of the gray values, for {Carving}; 0: automatic, 1: CT, 2: MR", "Feature")
 
 #define FLIPFREE_TARGET_PARAMETERS(P, S)                                                           \
   P(SearchDistance, double, S Correspondence.SearchDistance, 0, 1e6, "MM",                         \
@@ -99,15 +102,18 @@
 #define FLIPFREE_STEP_PARAMETERS(P, S)                                                             \
   P(AvoidFlips, bool, S AvoidFlips, false, true, "", "Avoid the flips that are detected",          \
     "Deformation")                                                                                 \
-  P(FlipThreshold, double, S FlipThreshold, 0, 1, "R", "r of Eq. 3", "Deformation")                \
+  P(FlipThreshold, double, S FlipThreshold, 0, 1, "R",                                             \
+    "r of Eq. 3: neighbors flip if the cosine between their edge before and after is below it",    \
+    "Deformation")                                                                                 \
   P(PropagationIterations, int, S Propagation.Iterations, 0, 100000, "N",                          \
     "Passes that carry displacements to solitary vertices", "Deformation")                         \
   P(SmoothingIterations, int, S Propagation.SmoothingIterations, 0, 100000, "N",                   \
     "Passes that smooth the displacements of matched vertices, too", "Deformation")                \
-  P(PositionWeight, double, S Energy.PositionWeight, 0, 1e6, "F", "lambda_p of Eq. 7",             \
+  P(PositionWeight, double, S Energy.PositionWeight, 0, 1e6, "F",                                  \
+    "lambda_p of Eq. 7: weight of the distance to the targets against the surface's shape",        \
     "Deformation")                                                                                 \
-  P(UniformWeight, double, S Energy.UniformWeight, 0, 1e6, "F", "lambda_u of Eq. 8",               \
-    "Deformation")                                                                                 \
+  P(UniformWeight, double, S Energy.UniformWeight, 0, 1e6, "F",                                    \
+    "lambda_u of Eq. 8: weight of an even distribution of the vertices", "Deformation")            \
   P(Fairing, double, S Energy.Fairing, 0, 1, "F",                                                  \
     "0 keeps the surface's shape (Eq. 5), 1 smooths it", "Deformation")                            \
   P(Guard, bool, S Guard, false, true, "",                                                         \
