@@ -94,13 +94,18 @@ public:
     this->Given.insert(this->Given.end(), others.Given.begin(), others.Given.end());
   }
 
-  /// Throws WrongUsage for a value out of range.
-  void Apply(Settings& settings) const
+  /// Throws WrongUsage for a value out of range; in other words if `refuse` has some.
+  void Apply(Settings& settings,
+    const std::function<void(const Parameter&, double)>& refuse = {}) const
   {
     for (const auto& [parameter, values] : this->Given)
     {
       if (!parameter->Take(settings, values))
       {
+        if (refuse)
+        {
+          refuse(*parameter, values.front());
+        }
         RefuseNumber(parameter->Name, values.front(), parameter->Minimum, parameter->Maximum);
       }
     }

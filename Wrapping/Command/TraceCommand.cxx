@@ -1,5 +1,6 @@
 #include "Coordinates.h"
 #include "Failure.h"
+#include "MessageText.h"
 #include "Messages.h"
 #include "Options.h"
 #include "OutputFile.h"
@@ -136,6 +137,19 @@ void ValidateRequest(const Trace& trace)
   }
 }
 
+/// Other parameters are refused as everywhere.
+void RefuseLength(const FlipFree::Parameter<FlipFree::VesselSegmentationSettings>& parameter,
+  double value)
+{
+  if (parameter.Words.Unit == std::string("MM"))
+  {
+    throw WrongUsage(OptionsOf(parameter.Name).front() + " must be a number of millimeters, " +
+      FlipFree::TextOf(parameter.Minimum) + " to " + FlipFree::TextOf(parameter.Maximum) +
+      ", not " + FlipFree::TextOf(value) + "." +
+      (parameter.Name == "Radius" ? " 0 finds it." : ""));
+  }
+}
+
 void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
 {
   for (std::size_t first = 0; first + 2 < trace.Points.size(); first += 3)
@@ -145,7 +159,7 @@ void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
   }
   AddPoints(trace.Corrections.Points(), filter);
   FlipFree::VesselSegmentationSettings settings;
-  trace.Parameters.Apply(settings);
+  trace.Parameters.Apply(settings, RefuseLength);
   FlipFree::FilterSettings::Set(filter, settings);
 }
 
