@@ -3,12 +3,12 @@
  *
  * A property is a field of the settings that the filter's kernel takes, so that its default stands
  * there and nothing is copied. The filter's header declares and documents SetName() and GetName();
- * its source lists Name, type, field, minimum and maximum:
+ * its source names the list (SegmentationParameters.h), and adds what is the filter's own:
  *
- *     #define FLIPFREE_STAGE vtkFlipFreeDeform
- *     #define PROPERTIES(P)                                     \
- *       P(FlipThreshold, double, Settings->FlipThreshold, 0, 1) \
- *       P(AvoidFlips, bool, Settings->AvoidFlips, false, true)
+ *     #define FLIPFREE_STAGE vtkCorrespondenceSearch
+ *     #define PROPERTIES(P)                       \
+ *       P(Threshold, double, Threshold, 0, 1, "") \
+ *       FLIPFREE_TARGET_PARAMETERS(P, Settings->)
  *     PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
  *
  * which defines the two functions of each. The same list prints all of them, and rejects NaN. The
@@ -22,14 +22,21 @@
 
 #include "vtkObject.h"
 
+#include <type_traits>
+
 namespace FlipFree
 {
 
+/// What a property takes: of an enumeration the number.
+template <typename T>
+using PropertyType = std::conditional_t<std::is_enum_v<T>, int, T>;
+
 /// As vtkSetClampMacro: NaN passes.
 template <typename T>
-void SetClamped(vtkObject* stage, T value, T minimum, T maximum, T& field)
+void SetClamped(vtkObject* stage, PropertyType<T> value, PropertyType<T> minimum,
+  PropertyType<T> maximum, T& field)
 {
-  const T clamped = value < minimum ? minimum : (value > maximum ? maximum : value);
+  const T clamped = static_cast<T>(value < minimum ? minimum : (value > maximum ? maximum : value));
   if (field != clamped)
   {
     field = clamped;
@@ -45,35 +52,21 @@ inline void SetSeedRadius(vtkObject* filter, double value, double& field)
 
 } // namespace FlipFree
 
-#define FLIPFREE_DEFINE_PROPERTY(Name, type, field, minimum, maximum)                              \
-  void FLIPFREE_STAGE::Set##Name(type value)                                                       \
+#define FLIPFREE_DEFINE_PROPERTY(Name, type, field, minimum, maximum, ...)                         \
+  void FLIPFREE_STAGE::Set##Name(FlipFree::PropertyType<type> value)                               \
   {                                                                                                \
     FlipFree::SetClamped<type>(this, value, minimum, maximum, this->field);                        \
   }                                                                                                \
-  type FLIPFREE_STAGE::Get##Name() const                                                           \
+  FlipFree::PropertyType<type> FLIPFREE_STAGE::Get##Name() const                                   \
   {                                                                                                \
-    return this->field;                                                                            \
-  }
-
-/// The same of an enumeration, which users give as a number.
-#define FLIPFREE_DEFINE_ENUMERATION(Name, type, field, minimum, maximum)                           \
-  void FLIPFREE_STAGE::Set##Name(int value)                                                        \
-  {                                                                                                \
-    int number = this->Get##Name();                                                                \
-    FlipFree::SetClamped<int>(this, value, minimum, maximum, number);                              \
-    this->field = static_cast<type>(number);                                                       \
-  }                                                                                                \
-  int FLIPFREE_STAGE::Get##Name() const                                                            \
-  {                                                                                                \
-    return static_cast<int>(this->field);                                                          \
+    return static_cast<FlipFree::PropertyType<type>>(this->field);                                 \
   }
 
 /// In PrintSelf(os, indent).
-#define FLIPFREE_PRINT_PROPERTY(Name, type, field, minimum, maximum)                               \
-  os << indent << #Name << ": " << this->field << "\n";
+#define FLIPFREE_PRINT_PROPERTY(Name, type, field, ...)                                            \
+  os << indent << #Name << ": " << static_cast<FlipFree::PropertyType<type>>(this->field) << "\n";
 
 /// In the list that FlipFree::RequireNumbers() takes.
-#define FLIPFREE_NAME_PROPERTY(Name, type, field, minimum, maximum)                                \
-  { #Name, static_cast<double>(this->field) },
+#define FLIPFREE_NAME_PROPERTY(Name, type, field, ...) { #Name, static_cast<double>(this->field) },
 
 #endif

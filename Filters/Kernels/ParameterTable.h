@@ -1,6 +1,7 @@
 /**
  * The parameters of a settings struct by name, for front ends that take them as they come: a table
- * with an entry for each, numbers of any type as doubles.
+ * with an entry for each, numbers of any type as doubles. What a parameter is called, means and
+ * allows is said nowhere else; its default is that of the settings.
  */
 #ifndef FlipFreeParameterTable_h
 #define FlipFreeParameterTable_h
@@ -23,6 +24,14 @@ enum class ParameterType
   Real
 };
 
+/// What people read about a parameter.
+struct ParameterWords
+{
+  const char* Unit = "";  ///< MM, VOXELS, or what else its values are called; none of booleans
+  const char* Help = "";  ///< what it does; other parameters are in braces (QuantityNames.h)
+  const char* Group = ""; ///< with which others it is shown; none: those that most users set
+};
+
 template <typename Settings>
 struct Parameter
 {
@@ -32,6 +41,16 @@ struct Parameter
   std::function<std::vector<double>(const Settings&)> Get;
   /// Takes `Count` numbers and clamps each to its range; NaN passes.
   std::function<void(Settings&, const std::vector<double>&)> Set;
+  double Minimum;
+  double Maximum;
+  ParameterWords Words;
+
+  /// Sets it; whether the number was in its range. Of several, any will do.
+  bool Take(Settings& settings, const std::vector<double>& values) const
+  {
+    this->Set(settings, values);
+    return this->Count > 1 || this->Get(settings) == values;
+  }
 };
 
 template <typename Settings>
@@ -63,7 +82,7 @@ constexpr ParameterType ParameterTypeOf()
 /// `field(settings)` is a reference to the number. Enumerations are numbered without gaps.
 template <typename T, typename Settings, typename Field>
 Parameter<Settings> NumberParameter(const std::string& name, const Field& field, double minimum,
-  double maximum)
+  double maximum, const ParameterWords& words = {})
 {
   return { name, ParameterTypeOf<T>(), 1,
     [field](const Settings& settings)
@@ -73,12 +92,14 @@ Parameter<Settings> NumberParameter(const std::string& name, const Field& field,
       const double value = values.front();
       field(settings) =
         static_cast<T>(value < minimum ? minimum : (value > maximum ? maximum : value));
-    } };
+    },
+    minimum, maximum, words };
 }
 
-/// `first(settings)` points to the first of `count` numbers.
+/// `first(settings)` points to the first of `count` numbers, which may be any.
 template <typename T, typename Settings, typename First>
-Parameter<Settings> VectorParameter(const std::string& name, const First& first, int count)
+Parameter<Settings> VectorParameter(const std::string& name, const First& first, int count,
+  const ParameterWords& words = {})
 {
   return { name, ParameterTypeOf<T>(), count,
     [first, count](const Settings& settings)
@@ -93,9 +114,29 @@ Parameter<Settings> VectorParameter(const std::string& name, const First& first,
       {
         *number++ = static_cast<T>(value);
       }
-    } };
+    },
+    -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), words };
+}
+
+template <typename Settings>
+const Parameter<Settings>* FindParameter(const ParameterTable<Settings>& table,
+  const std::string& name)
+{
+  for (const Parameter<Settings>& parameter : table)
+  {
+    if (parameter.Name == name)
+    {
+      return &parameter;
+    }
+  }
+  return nullptr;
 }
 
 } // namespace FlipFree
+
+/// An entry of a table of `Settings` from a row of a list (SegmentationParameters.h).
+#define FLIPFREE_PARAMETER(Name, type, field, minimum, maximum, ...)                               \
+  FlipFree::NumberParameter<type, Settings>(#Name, [](auto& settings) -> auto& { return field; },  \
+    minimum, maximum, { __VA_ARGS__ }),
 
 #endif

@@ -185,7 +185,7 @@ struct vtkCorrespondenceSearch::Workspace
 #define FLIPFREE_STAGE vtkCorrespondenceSearch
 
 #define PROPERTIES(P)                                                                              \
-  P(Threshold, double, Threshold, 0, 1)                                                            \
+  P(Threshold, double, Threshold, 0, 1, "")                                                        \
   FLIPFREE_TARGET_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)

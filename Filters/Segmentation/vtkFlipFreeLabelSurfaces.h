@@ -59,6 +59,7 @@ class vtkTable;
 
 namespace FlipFree
 {
+class FilterSettings;
 struct LabelSurfaceSettings;
 }
 
@@ -137,6 +138,7 @@ protected:
   double GreatestDistance = 0;
 
 private:
+  friend class FlipFree::FilterSettings;
   std::vector<int> Labels;
   const std::unique_ptr<FlipFree::LabelSurfaceSettings> Settings;
 

@@ -6,6 +6,7 @@
 #include "FieldData.h"
 #include "FilterAdvice.h"
 #include "FilterReport.h"
+#include "FilterSettings.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
@@ -372,7 +373,7 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   request.Organs = this->Kept->Organs;
   FlipFree::AddConstraintsOf(inputs[1], 1, request.Organs);
   request.Fixed = FixedSurfacesOf(inputs[2]);
-  request.Settings = this->Parameters->GetSettings();
+  request.Settings = FlipFree::FilterSettings::Of(this->Parameters);
   request.Settings.LabelValue = this->LabelValue;
   FlipFree::GroupAnswer answer = FlipFree::SegmentGroup(FlipFree::GrayVolumeOf(image, NameOfImage),
     NameOfImage, request, FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));

@@ -50,7 +50,7 @@ static_assert(IsSame(vtkFlipFreeSegmentation::NOT_RUN, FlipFree::StopReason::Not
   "the public enumeration follows the kernel's");
 
 vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
-  : Schedule(std::make_unique<FlipFree::ScheduleSettings>())
+  : Settings(std::make_unique<FlipFree::VolumeSegmentationSettings>())
   , Diffusion(vtkSmartPointer<vtkSeedRegionDiffusion>::New())
   , Feature(vtkSmartPointer<vtkGMMFeatureFilter>::New())
   , Search(vtkSmartPointer<vtkCorrespondenceSearch>::New())
@@ -146,7 +146,7 @@ int vtkFlipFreeSegmentation::RequestInformation(vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   FlipFree::AnnounceLabelMap(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(1));
-  if (this->KeepHistory)
+  if (this->Settings->KeepHistory)
   {
     vtkInformation* surface = outputs->GetInformationObject(0);
     if (this->IsCacheUpToDate(inputs))
@@ -171,7 +171,7 @@ int vtkFlipFreeSegmentation::RequestUpdateExtent(vtkInformationVector** inputs) 
   {
     FlipFree::RequestWholeExtent(inputs[3]->GetInformationObject(0));
   }
-  if (this->KeepHistory)
+  if (this->Settings->KeepHistory)
   {
     // Time is the number of the iteration here, and none of the image's.
     in->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
@@ -188,7 +188,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->KeepHistory || !this->IsCacheUpToDate(inputs))
+  if (!this->Settings->KeepHistory || !this->IsCacheUpToDate(inputs))
   {
     this->Cache = std::make_unique<FlipFree::SegmentationResult>();
     try
@@ -208,7 +208,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
     this->Cache->Time.Modified();
   }
   this->Cache->CopyTo(outputs);
-  if (!this->KeepHistory || this->StopReason == ABORTED)
+  if (!this->Settings->KeepHistory || this->StopReason == ABORTED)
   {
     this->Cache.reset();
   }
@@ -237,7 +237,7 @@ void vtkFlipFreeSegmentation::UpdateCache(vtkInformationVector** inputs)
     FlipFreeWarningMacro(warning);
   }
   FlipFree::Stopwatch watch;
-  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->LabelValue),
+  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->Settings->LabelValue),
     vtkImageData::GetData(inputs[0]), this->Cache->Labels);
   this->StageSeconds[3] += watch.Lap();
   this->UpdateProgress(1);

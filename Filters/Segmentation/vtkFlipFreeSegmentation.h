@@ -116,9 +116,9 @@ class vtkTable;
 
 namespace FlipFree
 {
+class FilterSettings;
 struct OrganSegmentationSettings;
 struct PointConstraint;
-struct ScheduleSettings;
 struct SegmentationResult;
 struct SegmentationState;
 struct VolumeSegmentation;
@@ -488,11 +488,8 @@ protected:
 
   double SeedCenter[3] = { 0, 0, 0 };
   double SeedRadius = 10;
-  double StartScale = 1;
   double StartCenterOffset[3] = { 0, 0, 0 };
-  int LabelValue = 1;
   int StartLabel = 1;
-  bool KeepHistory = false;
   bool KeepForCorrections = false;
 
   int StopReason = NOT_RUN;
@@ -501,9 +498,10 @@ protected:
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:
-  friend class vtkFlipFreeOrganGroup; // takes the parameters
+  friend class FlipFree::FilterSettings;
   FlipFree::VolumeSegmentationSettings GetSettings() const;
-  void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
+  void UseSettings(const FlipFree::VolumeSegmentationSettings& settings);
+  void UseMethod(const FlipFree::OrganSegmentationSettings& method);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
   void UpdateCache(vtkInformationVector** inputs);
   FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
@@ -511,7 +509,7 @@ private:
   void AddConstraint(const FlipFree::PointConstraint& constraint);
   double Preview(const FlipFree::PointConstraint& constraint, vtkImageData* changed);
 
-  const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;
+  const std::unique_ptr<FlipFree::VolumeSegmentationSettings> Settings; // stages have theirs
   vtkSmartPointer<vtkSeedRegionDiffusion> Diffusion;
   vtkSmartPointer<vtkGMMFeatureFilter> Feature;
   vtkSmartPointer<vtkCorrespondenceSearch> Search;

@@ -18,12 +18,9 @@
 #define FLIPFREE_STAGE vtkFlipFreeSegmentation
 
 #define PROPERTIES(P)                                                                              \
-  P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
-  FLIPFREE_SCHEDULE_PARAMETERS(P, Schedule->)                                                      \
-  P(LabelValue, int, LabelValue, 1, 255)                                                           \
-  P(StartLabel, int, StartLabel, 0, VTK_INT_MAX)                                                   \
-  P(KeepHistory, bool, KeepHistory, false, true)                                                   \
-  P(KeepForCorrections, bool, KeepForCorrections, false, true)
+  FLIPFREE_WHOLE_PARAMETERS(P, Settings->)                                                         \
+  P(StartLabel, int, StartLabel, 0, VTK_INT_MAX, "")                                               \
+  P(KeepForCorrections, bool, KeepForCorrections, false, true, "")
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
@@ -83,28 +80,23 @@ vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
 
 FlipFree::VolumeSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
 {
-  FlipFree::VolumeSegmentationSettings settings;
-  settings.Method.Schedule = *this->Schedule;
+  FlipFree::VolumeSegmentationSettings settings = *this->Settings;
   settings.Method.Smoothing = *this->Diffusion->Settings;
   settings.Method.Feature = *this->Feature->Settings;
   settings.Method.Targets = *this->Search->Settings;
   settings.Method.Step = *this->Deform->Settings;
-  settings.StartScale = this->StartScale;
   settings.StartCenterOffset = Eigen::Vector3d(this->StartCenterOffset);
-  settings.LabelValue = this->LabelValue;
-  settings.KeepHistory = this->KeepHistory;
   return settings;
 }
 
-void vtkFlipFreeSegmentation::UseSettings(const FlipFree::OrganSegmentationSettings& settings)
+void vtkFlipFreeSegmentation::UseSettings(const FlipFree::VolumeSegmentationSettings& settings)
 {
-  const double reach = this->GetReach();
-  *this->Schedule = settings.Schedule;
-  *this->Diffusion->Settings = settings.Smoothing;
-  *this->Feature->Settings = settings.Feature;
-  *this->Search->Settings = settings.Targets;
-  *this->Deform->Settings = settings.Step;
-  this->SetReach(reach);
+  *this->Settings = settings;
+  *this->Diffusion->Settings = settings.Method.Smoothing;
+  *this->Feature->Settings = settings.Method.Feature;
+  *this->Search->Settings = settings.Method.Targets;
+  *this->Deform->Settings = settings.Method.Step;
+  Eigen::Map<Eigen::Vector3d>(this->StartCenterOffset) = settings.StartCenterOffset;
   // Others may use the stages, too.
   this->Diffusion->Modified();
   this->Feature->Modified();
@@ -113,19 +105,27 @@ void vtkFlipFreeSegmentation::UseSettings(const FlipFree::OrganSegmentationSetti
   this->Modified();
 }
 
+void vtkFlipFreeSegmentation::UseMethod(const FlipFree::OrganSegmentationSettings& method)
+{
+  FlipFree::VolumeSegmentationSettings settings = this->GetSettings();
+  settings.Method = method;
+  settings.Method.Smoothing.Reach = this->GetReach(); // goes with the image
+  this->UseSettings(settings);
+}
+
 void vtkFlipFreeSegmentation::UseDefaultParameters()
 {
-  this->UseSettings({});
+  this->UseMethod({});
 }
 
 void vtkFlipFreeSegmentation::UsePublishedParameters()
 {
-  this->UseSettings(FlipFree::PublishedSettings());
+  this->UseMethod(FlipFree::PublishedSettings());
 }
 
 void vtkFlipFreeSegmentation::UseNaiveParameters()
 {
-  this->UseSettings(FlipFree::NaiveSettings());
+  this->UseMethod(FlipFree::NaiveSettings());
 }
 
 void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -128,7 +128,6 @@ void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 #define PROPERTIES(P) FLIPFREE_FEATURE_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
-FLIPFREE_DEFINE_ENUMERATION(Modality, FlipFree::Modality, Settings->Modality, AUTOMATIC, MR)
 
 void vtkGMMFeatureFilter::SetSeedRadius(double value)
 {
@@ -256,7 +255,6 @@ void vtkGMMFeatureFilter::PrintSelf(ostream& os, vtkIndent indent)
      << this->SeedCenter[2] << ")\n";
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
-  os << indent << "Modality: " << this->GetModality() << "\n";
 }
 
 #undef FLIPFREE_STAGE

@@ -14,7 +14,6 @@
 #define PROPERTIES(P) FLIPFREE_VESSEL_PATH_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
-FLIPFREE_DEFINE_ENUMERATION(Modality, FlipFree::Modality, Settings->Path.Modality, 0, 2)
 
 vtkVesselAlgorithm::vtkVesselAlgorithm()
   : Points(std::make_unique<FlipFree::VesselPoints>())
@@ -83,7 +82,6 @@ void vtkVesselAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << "Point: (" << point[0] << ", " << point[1] << ", " << point[2] << ")\n";
   }
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
-  os << indent << "Modality: " << this->GetModality() << "\n";
 }
 
 #undef FLIPFREE_STAGE

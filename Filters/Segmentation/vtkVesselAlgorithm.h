@@ -27,6 +27,7 @@
 
 namespace FlipFree
 {
+class FilterSettings;
 struct VesselPoints;
 struct VesselSegmentationSettings;
 }
@@ -96,6 +97,7 @@ protected:
   const std::unique_ptr<FlipFree::VesselSegmentationSettings> Settings;
 
 private:
+  friend class FlipFree::FilterSettings;
   vtkVesselAlgorithm(const vtkVesselAlgorithm&) = delete;
   void operator=(const vtkVesselAlgorithm&) = delete;
 };

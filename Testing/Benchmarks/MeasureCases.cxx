@@ -17,11 +17,11 @@
 #include "Statistics.h"
 #include "SurfaceOffset.h"
 
-#include "vtkCorrespondenceSearch.h"
+#include "Deformation/SegmentationParameters.h"
+#include "FilterSettings.h"
+
 #include "vtkDoubleArray.h"
-#include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
-#include "vtkGMMFeatureFilter.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -39,9 +39,9 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -75,39 +75,18 @@ void ApplyPreset(const std::string& preset, vtkFlipFreeSegmentation* filter)
   }
 }
 
-// Parameters that a study may vary, by the names of their setters.
+// Name=value: a parameter that a study varies.
 void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter)
 {
-  const std::map<std::string, std::function<void(double)>> setters = {
-    { "Resolution", [&](double x) { filter->SetResolution(static_cast<int>(x)); } },
-    { "Levels", [&](double x) { filter->SetLevels(static_cast<int>(x)); } },
-    { "MaximumIterations", [&](double x) { filter->SetMaximumIterations(static_cast<int>(x)); } },
-    { "ChangeTolerance", [&](double x) { filter->SetChangeTolerance(x); } },
-    { "DiffusionIterations",
-      [&](double x) { filter->SetDiffusionIterations(static_cast<int>(x)); } },
-    { "ForegroundMass", [&](double x) { filter->SetForegroundMass(x); } },
-    { "NoiseWidening", [&](double x) { filter->GetFeature()->SetNoiseWidening(x); } },
-    { "DistanceTolerance", [&](double x) { filter->SetDistanceTolerance(x); } },
-    { "Modality", [&](double x) { filter->GetFeature()->SetModality(static_cast<int>(x)); } },
-    { "Carving", [&](double x) { filter->GetFeature()->SetCarving(x != 0); } },
-    { "Consensus", [&](double x) { filter->GetFeature()->SetConsensus(x != 0); } },
-    { "ClosingRadius", [&](double x) { filter->GetFeature()->SetClosingRadius(x); } },
-    { "OpeningScale", [&](double x) { filter->GetFeature()->SetOpeningScale(x); } },
-    { "SearchScale", [&](double x) { filter->GetSearch()->SetSearchScale(x); } },
-    { "RunLength", [&](double x) { filter->GetSearch()->SetRunLength(x); } },
-    { "EdgeWindow", [&](double x) { filter->GetSearch()->SetEdgeWindow(x); } },
-    { "ImageBoundaryDistance",
-      [&](double x) { filter->GetSearch()->SetImageBoundaryDistance(x); } },
-    { "OutlierStandardDeviations",
-      [&](double x) { filter->GetSearch()->SetOutlierStandardDeviations(x); } },
-    { "MaximumDisplacement", [&](double x) { filter->GetSearch()->SetMaximumDisplacement(x); } },
-    { "FlipThreshold", [&](double x) { filter->GetDeform()->SetFlipThreshold(x); } },
-    { "PositionWeight", [&](double x) { filter->GetDeform()->SetPositionWeight(x); } },
-    { "UniformWeight", [&](double x) { filter->GetDeform()->SetUniformWeight(x); } },
-    { "Fairing", [&](double x) { filter->GetDeform()->SetFairing(x); } },
-  };
   const std::size_t equals = assignment.find('=');
-  setters.at(assignment.substr(0, equals))(std::stod(assignment.substr(equals + 1)));
+  const auto* const parameter =
+    FlipFree::FindParameter(FlipFree::SegmentationParameters(), assignment.substr(0, equals));
+  auto settings = FlipFree::FilterSettings::Of(filter);
+  if (!parameter || !parameter->Take(settings, { std::stod(assignment.substr(equals + 1)) }))
+  {
+    throw std::out_of_range(assignment);
+  }
+  FlipFree::FilterSettings::Set(filter, settings);
 }
 
 void Configure(const Options& options, vtkFlipFreeSegmentation* filter)

@@ -3,19 +3,22 @@ documented. The filters are those of the Python package; ParaView is not needed.
 
 import glob
 import os
+import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 import flipfree
 
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+MAKE_XML = sys.argv.pop()
 # So large that the panel need not show it.
 PRACTICALLY_INFINITE = 1e6
 
 
 def groups():
     for path in sorted(glob.glob(os.path.join(SOURCE, "Wrapping", "ParaView", "Plugin", "*.xml"))):
-        yield from ElementTree.parse(path).getroot()
+        yield from ElementTree.fromstring(subprocess.run([MAKE_XML, path], stdout=subprocess.PIPE, check=True).stdout)
 
 
 # The proxies; what they inherit from, which are the stages' parameters and what the baselines share.

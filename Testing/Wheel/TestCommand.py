@@ -43,12 +43,6 @@ def vertices_of(path):
 
 
 class Options(unittest.TestCase):
-    def test_table_is_the_toolkits(self):
-        """To renew it: build/dev/bin/flipfree --generate json > Wrapping/Python/Wheel/flipfree/_options.json"""
-        table = Path(flipfree.__file__).parent / "_options.json"
-        self.assertEqual(json.loads(table.read_text(encoding="utf-8")),
-                         json.loads(run("--generate", "json", program=TOOLKIT).stdout))
-
     def test_help_is_the_toolkits(self):
         for name in ("segment", "trace", "surfaces", "evaluate", "series", "phantom"):
             ours, theirs = (re.sub(" +\n", "\n", run(name, "--help", program=program).stdout)

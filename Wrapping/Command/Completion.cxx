@@ -8,16 +8,6 @@ namespace Command
 namespace
 {
 
-std::string Joined(const std::vector<std::string>& words, const char* separator)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : separator) + word;
-  }
-  return text;
-}
-
 std::string NamesOf(const CommandEntry& command)
 {
   std::string names;

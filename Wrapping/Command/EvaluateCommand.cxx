@@ -1,6 +1,6 @@
-#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
@@ -134,38 +134,20 @@ void Evaluate(const Evaluation& evaluation)
   }
 }
 
-const char* const EvaluateFooter =
-  "The segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) with the reference's\n"
-  "voxels, cropped or not, or a closed surface (.vtp .stl .ply .obj) in LPS millimeters. A "
-  "surface\n"
-  "is voxelized to measure the overlap; distances are measured from the surface itself.\n"
-  "\n"
-  "Examples:\n"
-  "  flipfree evaluate liver.nii.gz truth.nii.gz --reference-label 6\n"
-  "  flipfree evaluate liver.ply truth.nii.gz --reference-label 6 --csv scores.csv\n";
-
 } // namespace
 
 void AddEvaluateCommand(CLI::App& program)
 {
   const auto evaluation = std::make_shared<Evaluation>();
-  CLI::App* command = program.add_subcommand("evaluate", "Compare a segmentation with a reference");
-  command->add_option("SEGMENTATION", evaluation->Segmentation, "Label map or surface")->required();
-  command->add_option("REFERENCE", evaluation->Reference, "Label map that counts as the truth")
-    ->required();
-  AddLabelOption(*command, "--label", evaluation->Label,
-    "Inside in both label maps: a value, or the name of a segment of 3D Slicer (.seg.nrrd); by "
-    "default, every nonzero value");
-  AddLabelOption(*command, "--segmentation-label", evaluation->SegmentationLabel,
-    "The same for the segmentation only");
-  AddLabelOption(*command, "--reference-label", evaluation->ReferenceLabel,
-    "The same for the reference only");
-  command->add_option("--csv", evaluation->Csv, "Also write the measures to this file")
-    ->type_name("FILE");
-  command->add_flag("--voxelize", evaluation->Voxelize,
-    "Measure distances from the surface's voxels, for a fair comparison with label maps");
-  AddQuietOption(*command, evaluation->Quiet);
-  command->footer(EvaluateFooter);
+  CLI::App* command = AddCommand(program, "evaluate");
+  AddOption(*command, "SEGMENTATION", evaluation->Segmentation);
+  AddOption(*command, "REFERENCE", evaluation->Reference);
+  AddOption(*command, "--label", evaluation->Label);
+  AddOption(*command, "--segmentation-label", evaluation->SegmentationLabel);
+  AddOption(*command, "--reference-label", evaluation->ReferenceLabel);
+  AddOption(*command, "--csv", evaluation->Csv);
+  AddOption(*command, "--voxelize", evaluation->Voxelize);
+  AddOption(*command, "--quiet", evaluation->Quiet);
   command->callback([evaluation]() { Evaluate(*evaluation); });
 }
 

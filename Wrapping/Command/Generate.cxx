@@ -13,15 +13,14 @@ void AddGenerateOption(CLI::App& program)
 {
   const auto print = [&program](const std::string& what)
   {
-    const std::vector<CommandEntry> table = OptionTable(program);
+    const std::vector<CommandEntry>& table = OptionTable();
     std::cout << (what == "man" ? ManualPage(table, program.version())
         : what == "bash"        ? BashCompletion(table)
-        : what == "json"        ? OptionJson(table)
                                 : ZshCompletion(table));
     throw CLI::Success();
   };
   program.add_option_function<std::string>("--generate", print)
-    ->check(CLI::IsMember({ "man", "bash", "zsh", "json" }))
+    ->check(CLI::IsMember({ "man", "bash", "zsh" }))
     ->trigger_on_parse()
     ->group("");
 }

@@ -1,7 +1,6 @@
 /**
  * Generates the manual page and the shell completions from the options themselves. The build
- * installs what the hidden option `flipfree --generate man` (or bash, zsh) prints; json prints the
- * options themselves.
+ * installs what the hidden option `flipfree --generate man` (or bash, zsh) prints.
  */
 #ifndef FlipFreeCommandGenerate_h
 #define FlipFreeCommandGenerate_h
@@ -22,9 +21,6 @@ struct CommandEntry;
 std::string ManualPage(const std::vector<CommandEntry>& table, const std::string& version);
 std::string BashCompletion(const std::vector<CommandEntry>& table);
 std::string ZshCompletion(const std::vector<CommandEntry>& table);
-
-/// The table itself, from which the command of the package that pip builds takes its options.
-std::string OptionJson(const std::vector<CommandEntry>& table);
 
 /// Adds the hidden option.
 void AddGenerateOption(CLI::App& program);

@@ -1,17 +1,16 @@
 /**
- * The subcommands and their options as plain data, from which the manual page and the shell
- * completions are generated, so that they agree with --help.
+ * The subcommands and their options as plain data: what the command parses, the manual page and the
+ * shell completions, and the command of the package that pip builds come from here. So this knows
+ * neither VTK nor the parser. Parameters are those of the kernels' tables.
  */
 #ifndef FlipFreeCommandOptionTable_h
 #define FlipFreeCommandOptionTable_h
 
+#include "ParameterTable.h"
+#include "QuantityNames.h"
+
 #include <string>
 #include <vector>
-
-namespace CLI
-{
-class App;
-}
 
 namespace Command
 {
@@ -38,7 +37,30 @@ struct CommandEntry
 };
 
 /// The program itself, followed by its subcommands.
-std::vector<CommandEntry> OptionTable(const CLI::App& program);
+const std::vector<CommandEntry>& OptionTable();
+
+/// Throws std::out_of_range for a name that there is not.
+const CommandEntry& EntryOf(const std::string& command);
+/// By any of its names, or by what a positional is called.
+const OptionEntry& EntryOf(const std::string& command, const std::string& option);
+
+/// The options of a parameter, such as --iterations and --maximum-iterations of MaximumIterations:
+/// the last one is its name, the first one is shown.
+std::vector<std::string> OptionsOf(const std::string& parameter);
+
+std::string Joined(const std::vector<std::string>& words, const char* separator);
+
+/// What the options are called, by the parameters that they set.
+template <typename Settings>
+FlipFree::QuantityNames OptionNames(const FlipFree::ParameterTable<Settings>& table)
+{
+  FlipFree::QuantityNames names;
+  for (const FlipFree::Parameter<Settings>& parameter : table)
+  {
+    names[parameter.Name] = OptionsOf(parameter.Name).front();
+  }
+  return names;
+}
 
 } // namespace Command
 

@@ -1,4 +1,5 @@
 #include "OrganOptions.h"
+#include "Options.h"
 
 #include "Coordinates.h"
 #include "Failure.h"
@@ -84,25 +85,8 @@ std::string GivenOrgan::FileName() const
 void OrganOptions::AddOptions(CLI::App& command)
 {
   this->Command = &command;
-  const char* const group = "Several organs";
-  command
-    .add_option("--organ", this->Values,
-      "An organ by its name, the center of its seed sphere in LPS millimeters, and the radius; can "
-      "be repeated: organs are segmented together, their surfaces never meet, and the points after "
-      "an organ are its own. Each has its name in the names of its files, as in out-liver.vtp, "
-      "and a label of its own, from --label-value on")
-    ->type_name("NAME X Y Z MM")
-    ->expected(static_cast<int>(ValuesOfOrgan), CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false)
-    ->group(group);
-  command
-    .add_option("--fixed", this->Fixed,
-      "A closed surface that stays as it is, such as an earlier result, and that no organ meets; "
-      "can be repeated (.vtp .stl .ply .obj)")
-    ->type_name("FILE")
-    ->expected(1, CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false)
-    ->group(group);
+  AddOption(command, "--organ", this->Values);
+  AddOption(command, "--fixed", this->Fixed);
 }
 
 std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) const

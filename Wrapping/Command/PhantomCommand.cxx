@@ -1,6 +1,6 @@
-#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "Phantom/PhantomVolume.h"
 #include "ProgressBar.h"
@@ -31,11 +31,11 @@ namespace
 struct Phantom
 {
   std::string Name;
-  std::string Folder = ".";
+  std::string Folder;
   std::array<int, 3> Dimensions{ { 0, 0, 0 } };
   std::array<double, 3> Spacing{ { 0, 0, 0 } };
-  double Noise = 12;
-  int RandomSeed = 1;
+  double Noise = 0;
+  int RandomSeed = 0;
   int Lesions = 0;
   bool Quiet = false;
 };
@@ -161,51 +161,21 @@ void Make(const Phantom& phantom)
   }
 }
 
-const char* const PhantomFooter =
-  "Writes the volume NAME.nii.gz and its true label map NAME-truth.nii.gz, and prints a seed for\n"
-  "each object, to be pasted after 'flipfree segment'; of the vessel also two points, for "
-  "'flipfree\n"
-  "trace'.\n"
-  "\n"
-  "Examples:\n"
-  "  flipfree phantom abdomen -o try         # a CT of the upper abdomen, in Hounsfield units\n"
-  "  flipfree phantom cup -o try --noise 20  # the cup of the paper, noisier\n"
-  "  flipfree phantom sphere -o try --size 64 64 40 --spacing 1 1 2\n";
-
 } // namespace
 
 void AddPhantomCommand(CLI::App& program)
 {
   const auto phantom = std::make_shared<Phantom>();
-  CLI::App* command =
-    program.add_subcommand("phantom", "Create a synthetic volume with a known segmentation");
-  command->add_option("NAME", phantom->Name, "sphere, cube, cup, u-tube, vessel or abdomen")
-    ->type_name("{sphere,cube,cup,u-tube,vessel,abdomen}") // for completion; not shown in the help
-    ->required();
-  command->add_option("-o,--output", phantom->Folder, "Folder for the two files; created if absent")
-    ->type_name("DIR")
-    ->capture_default_str();
-  command->add_option("--size", phantom->Dimensions, "Number of voxels along each axis")
-    ->type_name("NX NY NZ")
-    ->check(MustBePositive("--size NX NY NZ"))
-    ->default_str("depends on the phantom");
-  command->add_option("--spacing", phantom->Spacing, "Voxel spacing along each axis, in mm")
-    ->type_name("X Y Z")
-    ->check(MustBePositive("--spacing X Y Z, in mm"))
-    ->default_str("depends on the phantom");
-  command->add_option("--noise", phantom->Noise, "Standard deviation of the noise")
-    ->type_name("S")
-    ->capture_default_str();
-  command->add_option("--random-seed", phantom->RandomSeed, "Seed of the random numbers")
-    ->type_name("N")
-    ->capture_default_str();
-  command
-    ->add_option("--lesions", phantom->Lesions, "Number of lesions in the abdomen's liver, 0 to 20")
-    ->type_name("N")
-    ->check(CLI::Range(0, 20))
-    ->capture_default_str();
-  AddQuietOption(*command, phantom->Quiet);
-  command->footer(PhantomFooter);
+  CLI::App* command = AddCommand(program, "phantom");
+  AddOption(*command, "NAME", phantom->Name);
+  AddOption(*command, "--output", phantom->Folder);
+  AddOption(*command, "--size", phantom->Dimensions)->check(MustBePositive("--size NX NY NZ"));
+  AddOption(*command, "--spacing", phantom->Spacing)
+    ->check(MustBePositive("--spacing X Y Z, in mm"));
+  AddOption(*command, "--noise", phantom->Noise);
+  AddOption(*command, "--random-seed", phantom->RandomSeed);
+  AddOption(*command, "--lesions", phantom->Lesions)->check(CLI::Range(0, 20));
+  AddOption(*command, "--quiet", phantom->Quiet);
   command->callback([phantom]() { Make(*phantom); });
 }
 

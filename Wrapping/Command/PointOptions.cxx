@@ -1,4 +1,5 @@
 #include "PointOptions.h"
+#include "Options.h"
 
 #include "Coordinates.h"
 #include "OutputFile.h"
@@ -30,47 +31,19 @@ constexpr OptionOfKind OptionsOfKinds[] = { { "inside", ConstraintKind::Inside }
 
 } // namespace
 
-void PointOptions::AddOptions(CLI::App& command, const std::string& what)
+void PointOptions::AddOptions(CLI::App& command)
 {
-  const bool hasSeeds = what == "organ";
-  const char* const group = "Corrections";
-  const auto add =
-    [&](const std::string& name, auto& values, const char* type, int count, const std::string& help)
+  for (const char* const name : { "inside", "outside", "boundary" })
   {
-    command.add_option("--" + name, values[name], help)
-      ->type_name(type)
-      ->expected(count, CLI::detail::expected_max_vector_size)
-      ->allow_extra_args(false) // of those that each time has
-      ->group(group);
-  };
-  const auto addPoint = [&](const char* name, const std::string& help)
-  { add(name, this->Coordinates, "X Y Z", 3, help); };
-  addPoint("inside",
-    "A point inside the " + what + " that was missed, in LPS millimeters; can be repeated");
-  addPoint("outside", "A point outside the " + what + " that was taken for it, likewise");
-  addPoint("boundary", "A point on the " + what + "'s boundary, likewise");
-  add("inside-stroke", this->Strokes, "FILE", 1,
-    "A stroke of points inside: a table (.csv: x, y, z) or a curve of 3D Slicer (.mrk.json); can "
-    "be repeated");
-  add("outside-stroke", this->Strokes, "FILE", 1, "A stroke of points outside, likewise");
-  command
-    .add_option("--points", this->PointsIn,
-      hasSeeds
-        ? "Points and further seeds from a file: a table (.csv: kind, x, y, z, radius) or markups "
-          "of 3D Slicer (.mrk.json), whose labels are outside, inside, boundary, or seed and its "
-          "radius"
-        : "Such points from a file: a table (.csv: kind, x, y, z, radius) or markups of 3D Slicer "
-          "(.mrk.json), whose labels are outside, inside or boundary")
-    ->type_name("FILE")
-    ->group(group);
-  command
-    .add_option("--save-points", this->PointsOut, "File for all these points (.csv .mrk.json)")
-    ->type_name("FILE")
-    ->group(group);
-  command
-    .add_flag("--ras", this->RAS,
-      "Coordinates of the command line are RAS, as 3D Slicer and ITK-SNAP show them, not LPS")
-    ->group(group);
+    AddOption(command, std::string("--") + name, this->Coordinates[name]);
+  }
+  for (const char* const name : { "inside-stroke", "outside-stroke" })
+  {
+    AddOption(command, std::string("--") + name, this->Strokes[name]);
+  }
+  AddOption(command, "--points", this->PointsIn);
+  AddOption(command, "--save-points", this->PointsOut);
+  AddOption(command, "--ras", this->RAS);
 }
 
 bool PointOptions::IsEmpty() const

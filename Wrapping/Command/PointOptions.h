@@ -23,8 +23,7 @@ namespace Command
 class PointOptions
 {
 public:
-  /// `what` is segmented: "organ", which takes further seeds, or "vessel".
-  void AddOptions(CLI::App& command, const std::string& what);
+  void AddOptions(CLI::App& command);
 
   /// Whether none of the options is given.
   bool IsEmpty() const;

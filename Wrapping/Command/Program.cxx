@@ -5,6 +5,7 @@
 #include "HelpFormatter.h"
 #include "Interrupt.h"
 #include "Messages.h"
+#include "OptionTable.h"
 #include "Subcommands.h"
 #include "UsageMessage.h"
 
@@ -22,22 +23,6 @@ namespace Command
 {
 namespace
 {
-
-const char* const Description =
-  "Segments soft organs (liver, spleen, kidney) in CT and MR volumes. A sphere inside the organ "
-  "grows into the organ's surface, which is closed and does not intersect itself.";
-
-const char* const ProgramFooter =
-  "Examples:\n"
-  "  flipfree phantom abdomen -o try                  # a volume to try, and its seeds\n"
-  "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.ply\n"
-  "  flipfree evaluate liver.ply try/abdomen-truth.nii.gz --reference-label 6\n"
-  "\n"
-  "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
-  "millimeters: x to the patient's left, y to the back, z to the head. Viewers that use RAS, "
-  "such\n"
-  "as 3D Slicer, show x and y with opposite signs.\n"
-  "Exit status: 0 success, 1 failure, 2 wrong usage, 130 interrupted.\n";
 
 /// Points to the help of the subcommand.
 std::string HelpFor(const CLI::App& program)
@@ -96,11 +81,12 @@ int RunCommand(int argc, char* argv[])
     CatchSignals();
     CatchVtkMessages();
 
-    CLI::App program(Description, "flipfree");
+    const CommandEntry& entry = EntryOf("flipfree");
+    CLI::App program(entry.Description, entry.Name);
     program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION,
-      "Print the version and exit");
+      EntryOf(entry.Name, "--version").Description);
     program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
-    program.footer(ProgramFooter);
+    program.footer(entry.Footer);
     program.require_subcommand(1);
     AddSegmentCommand(program);
     AddTraceCommand(program);

@@ -1,8 +1,8 @@
 #include "AskQuestions.h"
-#include "CommonOptions.h"
 #include "Failure.h"
 #include "LabelAdapter.h"
 #include "Messages.h"
+#include "Options.h"
 #include "OrganFilter.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
@@ -398,120 +398,33 @@ void Segment(const SegmentRequest& request)
   SegmentOrgans(OrgansOf(session, given), &session);
 }
 
-const char* const SegmentFooter =
-  "Either all output files are written or none. The picture of --snapshot shows the contour on\n"
-  "axial, sagittal and coronal slices through the surface's center, and the surface; it needs a\n"
-  "display (or xvfb-run -a).\n"
-  "\n"
-  "Examples:\n"
-  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 -o liver.vtp\n"
-  "  flipfree segment ct.nii.gz --seed-voxel 120 140 60 --radius 15 -o spleen.stl \\\n"
-  "      --labels spleen.nii.gz --convergence spleen.csv --snapshot spleen.png\n"
-  "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
-  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
-  "  flipfree segment ct.nii.gz --start-labels network.nii.gz --start-label 6 -o liver.stl\n"
-  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --ask -o liver.vtp\n"
-  "  flipfree segment ct.nii.gz --session session.json -o organ.stl --labels organs.nii.gz\n"
-  "  flipfree segment ct.nii.gz --organ liver 83 -154 321 26 --organ spleen 250 -110 360 14 \\\n"
-  "      --outside 240 -80 350 -o organ.vtp --labels organs.nii.gz\n"
-  "\n"
-  "The seed sphere should lie within the organ and have at least half the radius of the largest\n"
-  "sphere that fits there: the organ's intensities are learned from its voxels, and the surface\n"
-  "starts from it.\n";
-
-void AddFiles(CLI::App* command, SegmentRequest& request)
-{
-  command->add_option("INPUT", request.Input,
-    "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), folder of a DICOM series, or DICOM file of "
-    "several frames; with --session, by "
-    "default, the session's image beside it");
-  command
-    ->add_option("--session", request.Session,
-      "Session that the page in the browser or --save-session has saved (.json): image, seeds, "
-      "parameters, and corrections of organs, and the points of vessels. Of several organs, each "
-      "has its name in the names of its files, as in out-liver.vtp, and a label of its own")
-    ->type_name("FILE");
-  command
-    ->add_option("--series", request.SeriesUID,
-      "Series Instance UID, if the folder holds several series; by default, the one with the most "
-      "slices; of one with several volumes, UID#1, UID#2 and so on ('flipfree series' lists them)")
-    ->type_name("UID");
-  command
-    ->add_option("--seed", request.Seed,
-      "Center of the seed sphere, in LPS millimeters; can be repeated for further spheres within "
-      "the organ, each with a --radius")
-    ->type_name("X Y Z")
-    ->expected(3, CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false); // --seed takes exactly three each time
-  command
-    ->add_option("--seed-voxel", request.SeedVoxel,
-      "The same as the indices of a voxel, which count from 0")
-    ->type_name("I J K")
-    ->expected(3, CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false);
-  command
-    ->add_option("--radius", request.Radius,
-      "Radius of the seed sphere, in millimeters; can be repeated, in the order of the seeds")
-    ->type_name("MM")
-    ->expected(1, CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false);
-  command
-    ->add_option("--start-labels", request.StartLabels,
-      "Label map with the image's voxels, cropped or not (of a network, an atlas, an earlier "
-      "result), "
-      "that the surface fills, in place of a seed; points correct it (.nii .nii.gz .nrrd .nhdr "
-      ".mha "
-      ".mhd)")
-    ->type_name("FILE");
-  AddLabelOption(*command, "--start-label", request.StartLabel,
-    "The organ in --start-labels: its value, by default 1, or 0 for all nonzero voxels; or the "
-    "name "
-    "of a segment of 3D Slicer (.seg.nrrd)")
-    ->needs("--start-labels");
-  command->add_option("-o,--output", request.Surface, "Surface (.vtp .stl .ply .obj)")
-    ->type_name("FILE");
-  command
-    ->add_option("--labels", request.Labels,
-      "Label map (.nii.gz .nii .nrrd .mha; .seg.nrrd: a segmentation of 3D Slicer, with the "
-      "organs' "
-      "names and colors)")
-    ->type_name("FILE");
-  AddConvergenceOption(*command, request.Convergence);
-  command
-    ->add_option("--questions", request.Questions,
-      "Table of the parts of which the result is not sure, at most five, those first where an "
-      "answer is worth most (.csv): place, volume, whether it is included, and the margin. Yes is "
-      "--inside X Y Z, no --outside X Y Z. Of several organs, each has a table with its name, as "
-      "in "
-      "out-liver.csv; vessels of a session have none")
-    ->type_name("FILE");
-  command->add_flag("--ask", request.Asks,
-    "Ask these questions at the terminal, and segment again by the answers, which are points "
-    "inside and outside; --save-points writes them");
-  AddSnapshotOption(*command, request.Snapshot);
-  AddSaveSessionOption(*command, request.SessionOut);
-  command
-    ->add_option("--label-value", request.Label,
-      "Value of the organ in the label map, 1 to 255; of several, of the first")
-    ->type_name("N")
-    ->check(CLI::Range(1, 255))
-    ->capture_default_str();
-  AddThreadsOption(*command, request.Threads);
-  AddQuietOption(*command, request.Quiet);
-}
-
 } // namespace
 
 void AddSegmentCommand(CLI::App& program)
 {
   const auto request = std::make_shared<SegmentRequest>();
-  CLI::App* command =
-    program.add_subcommand("segment", "Segment an organ, starting from a sphere inside it");
-  AddFiles(command, *request);
-  request->Corrections.AddOptions(*command, "organ");
+  CLI::App* command = AddCommand(program, "segment");
+  AddOption(*command, "INPUT", request->Input);
+  AddOption(*command, "--session", request->Session);
+  AddOption(*command, "--series", request->SeriesUID);
+  AddOption(*command, "--seed", request->Seed);
+  AddOption(*command, "--seed-voxel", request->SeedVoxel);
+  AddOption(*command, "--radius", request->Radius);
+  AddOption(*command, "--start-labels", request->StartLabels);
+  AddOption(*command, "--start-label", request->StartLabel)->needs("--start-labels");
+  AddOption(*command, "--output", request->Surface);
+  AddOption(*command, "--labels", request->Labels);
+  AddOption(*command, "--convergence", request->Convergence);
+  AddOption(*command, "--questions", request->Questions);
+  AddOption(*command, "--ask", request->Asks);
+  AddOption(*command, "--snapshot", request->Snapshot);
+  AddOption(*command, "--save-session", request->SessionOut);
+  AddOption(*command, "--label-value", request->Label)->check(CLI::Range(1, 255));
+  AddThreadsOption(*command, request->Threads);
+  AddOption(*command, "--quiet", request->Quiet);
+  request->Corrections.AddOptions(*command);
   request->Several.AddOptions(*command);
   request->Parameters.AddOptions(*command);
-  command->footer(SegmentFooter);
   command->callback([request]() { Segment(*request); });
 }
 

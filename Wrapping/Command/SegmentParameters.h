@@ -1,23 +1,19 @@
 /**
- * The parameters of vtkFlipFreeSegmentation and of its stages as options. Defaults and ranges are
- * the filters' own: a value that a filter does not take is refused.
+ * The parameters of vtkFlipFreeSegmentation and of its stages as options.
  */
 #ifndef FlipFreeCommandSegmentParameters_h
 #define FlipFreeCommandSegmentParameters_h
 
 #include "Messages.h"
+#include "Options.h"
 
-#include <functional>
+#include "Deformation/VolumeSegmentation.h"
+
 #include <map>
 #include <string>
 #include <vector>
 
 class vtkFlipFreeSegmentation;
-
-namespace CLI
-{
-class App;
-}
 
 namespace Command
 {
@@ -45,8 +41,7 @@ public:
 
 private:
   std::string Preset = "default";
-  std::vector<double> StartOffset;
-  std::vector<std::function<void(vtkFlipFreeSegmentation*)>> Given;
+  GivenParameters<FlipFree::VolumeSegmentationSettings> Given;
 };
 
 } // namespace Command

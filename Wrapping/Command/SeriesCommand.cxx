@@ -1,6 +1,6 @@
-#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
@@ -147,42 +147,15 @@ void ListSeries(const SeriesList& list)
   WarnOfProblems(reader);
 }
 
-const char* const SeriesFooter =
-  "Lists each volume: Series Number, UID, Modality, number of slices, distances of voxel centers\n"
-  "along the axes, and Series Description. 'flipfree segment' and 'flipfree trace' read the first\n"
-  "series, the one with the most slices, or the one whose UID they are given as --series. A "
-  "series\n"
-  "of several volumes (times, echoes, stacks) has a line for each, UID#1, UID#2, and one of them\n"
-  "must be chosen. Objects without pixels, scouts and other files that are no slices are not\n"
-  "listed.\n"
-  "\n"
-  "A volume that cannot be read has '-' in place of its spacing, 0 in the CSV file, and a warning\n"
-  "says why; this is no failure. The CSV file has the columns number, uid, description, modality,\n"
-  "slices, spacing_x, spacing_y, spacing_z (mm) and problem.\n"
-  "\n"
-  "Examples:\n"
-  "  flipfree series dicom/\n"
-  "  flipfree series dicom/ --quiet --csv series.csv\n"
-  "  flipfree series enhanced.dcm\n";
-
 } // namespace
 
 void AddSeriesCommand(CLI::App& program)
 {
   const auto list = std::make_shared<SeriesList>();
-  CLI::App* command =
-    program.add_subcommand("series", "List the series in a folder of DICOM files");
-  command
-    ->add_option("FOLDER", list->Folder,
-      "Folder that directly holds DICOM files, folder with a DICOMDIR, or DICOM file of several "
-      "frames")
-    ->required();
-  command
-    ->add_option("--csv", list->Csv,
-      "Also write the list to this file, with the reason where a series cannot be read")
-    ->type_name("FILE");
-  AddQuietOption(*command, list->Quiet);
-  command->footer(SeriesFooter);
+  CLI::App* command = AddCommand(program, "series");
+  AddOption(*command, "FOLDER", list->Folder);
+  AddOption(*command, "--csv", list->Csv);
+  AddOption(*command, "--quiet", list->Quiet);
   command->callback([list]() { ListSeries(*list); });
 }
 

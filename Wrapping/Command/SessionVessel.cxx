@@ -1,72 +1,49 @@
 #include "SessionVessel.h"
 
 #include "Failure.h"
+#include "OptionTable.h"
+
+#include "FilterSettings.h"
+#include "Vessel/VesselParameters.h"
 
 #include "vtkFlipFreeVesselSegmentation.h"
 
-#include <cstdio>
+#include <algorithm>
 
 namespace Command
 {
-namespace
+
+vtkSmartPointer<vtkFlipFreeVesselSegmentation> VesselFilterOf(const SessionOrgan& vessel)
 {
-
-using VesselFilter = vtkFlipFreeVesselSegmentation;
-
-/// Sets a property; false if the filter does not take the value as it is.
-template <typename T>
-bool Take(VesselFilter* filter, double value, void (VesselFilter::*set)(T),
-  T (VesselFilter::*get)() const)
-{
-  (filter->*set)(static_cast<T>(value));
-  return static_cast<double>((filter->*get)()) == value;
-}
-
-bool SetProperty(VesselFilter* filter, const std::string& property, double value)
-{
-  if (property == "Radius")
-  {
-    return Take<double>(filter, value, &VesselFilter::SetRadius, &VesselFilter::GetRadius);
-  }
-  if (property == "WallThickness")
-  {
-    return Take<double>(filter, value, &VesselFilter::SetWallThickness,
-      &VesselFilter::GetWallThickness);
-  }
-  if (property == "Modality")
-  {
-    return Take<int>(filter, value, &VesselFilter::SetModality, &VesselFilter::GetModality);
-  }
-  if (property == "Levels")
-  {
-    return Take<int>(filter, value, &VesselFilter::SetLevels, &VesselFilter::GetLevels);
-  }
-  if (property == "MaximumIterations")
-  {
-    return Take<int>(filter, value, &VesselFilter::SetMaximumIterations,
-      &VesselFilter::GetMaximumIterations);
-  }
-  throw Failure("there is no parameter '" + property +
-    "' of a vessel; there are Radius, WallThickness, Modality, Levels and MaximumIterations");
-}
-
-} // namespace
-
-vtkSmartPointer<VesselFilter> VesselFilterOf(const SessionOrgan& vessel)
-{
-  auto filter = vtkSmartPointer<VesselFilter>::New();
+  auto filter = vtkSmartPointer<vtkFlipFreeVesselSegmentation>::New();
   for (const auto& [x, y, z] : vessel.Points)
   {
     filter->AddPoint(x, y, z);
   }
   AddPoints(vessel.Corrections, filter);
+  std::vector<std::string> names;
+  for (const auto& parameter : FlipFree::VesselParameters())
+  {
+    names.push_back(parameter.Name);
+  }
+  names.pop_back(); // LabelValue, which changes no surface
+  FlipFree::VesselSegmentationSettings settings;
   for (const auto& [property, values] : vessel.Parameters)
   {
-    if (values.size() != 1 || !SetProperty(filter, property, values.front()))
+    if (std::find(names.begin(), names.end(), property) == names.end())
+    {
+      const std::string last = names.back();
+      names.pop_back();
+      throw Failure("there is no parameter '" + property + "' of a vessel; there are " +
+        Joined(names, ", ") + " and " + last);
+    }
+    if (values.size() != 1 ||
+      !FlipFree::FindParameter(FlipFree::VesselParameters(), property)->Take(settings, values))
     {
       throw Failure("the parameter '" + property + "' is out of its range");
     }
   }
+  FlipFree::FilterSettings::Set(filter, settings);
   return filter;
 }
 

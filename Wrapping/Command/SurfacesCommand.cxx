@@ -1,7 +1,7 @@
-#include "CommonOptions.h"
 #include "Failure.h"
 #include "LabelNames.h"
 #include "Messages.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
@@ -11,6 +11,8 @@
 #include "VolumeFile.h"
 
 #include "Exchange/FileNames.h"
+#include "FilterSettings.h"
+#include "LabelSurface/LabelSurfaceParameters.h"
 
 #include "vtkFlipFreeLabelSurfaces.h"
 #include "vtkImageData.h"
@@ -39,12 +41,10 @@ struct SurfacesRequest
 {
   std::string LabelMap;
   std::string Folder;
-  std::string Format = "stl";
+  std::string Format;
   std::string Names;
   std::vector<int> Labels;
-  bool Exact = false;
-  double Distance = 0;
-  int Iterations = 0;
+  GivenParameters<FlipFree::LabelSurfaceSettings> Parameters;
   int Threads = 0;
   bool Quiet = false;
 };
@@ -98,12 +98,12 @@ void MakeSurfaces(const SurfacesRequest& request)
   {
     filter->AddLabel(label);
   }
-  filter->SetExact(request.Exact);
-  filter->SetDistance(request.Distance);
-  filter->SetIterations(request.Iterations);
-  Run(filter, "surfaces",
-    { { "Labels", "--label" }, { "Exact", "--exact" }, { "Distance", "--distance" },
-      { "Iterations", "--iterations" } });
+  FlipFree::LabelSurfaceSettings settings;
+  request.Parameters.Apply(settings);
+  FlipFree::FilterSettings::Set(filter, settings);
+  FlipFree::QuantityNames names = OptionNames(FlipFree::LabelSurfaceParameters());
+  names["Labels"] = "--label";
+  Run(filter, "surfaces", names);
 
   vtkTable* const table = filter->GetTable();
   vtkNew<vtkStringArray> files;
@@ -132,71 +132,22 @@ void MakeSurfaces(const SurfacesRequest& request)
   }
 }
 
-const char* const SurfacesFooter =
-  "Writes a surface for each label, LABEL.stl, or LABEL-NAME.stl where labels have names, and\n"
-  "the table surfaces.csv: volumes, areas, Euler numbers, triangles, and voxels on the wrong "
-  "side.\n"
-  "Each surface is closed, a 2-manifold, and does not intersect itself, and where two labels "
-  "touch,\n"
-  "both have the same triangles there. Names are those of the label map (a segmentation of 3D\n"
-  "Slicer, .seg.nrrd, or a NIfTI file with a label table, as TotalSegmentator writes it), or "
-  "those\n"
-  "of a table: lines such as '5,liver', columns that its first line calls label and name, or\n"
-  "the tables of colors of 3D Slicer, FreeSurfer and ITK-SNAP.\n"
-  "\n"
-  "Examples:\n"
-  "  flipfree surfaces labels.nii.gz -o surfaces\n"
-  "  flipfree surfaces labels.nii.gz -o surfaces --exact       # voxelized again: the same labels\n"
-  "  flipfree surfaces labels.nii.gz -o surfaces --label 5 --label 6 --names names.csv\n";
-
 } // namespace
 
 void AddSurfacesCommand(CLI::App& program)
 {
   const auto request = std::make_shared<SurfacesRequest>();
-  {
-    vtkNew<vtkFlipFreeLabelSurfaces> defaults;
-    request->Distance = defaults->GetDistance();
-    request->Iterations = defaults->GetIterations();
-  }
-  CLI::App* command =
-    program.add_subcommand("surfaces", "Make surfaces of the labels of a label map");
-  command->add_option("LABELS", request->LabelMap, "Label map: whole numbers, 0 is background")
-    ->required();
-  command->add_option("-o,--output", request->Folder, "Folder for the files; created if absent")
-    ->type_name("DIR")
-    ->required();
-  command->add_option("--format", request->Format, "Of the surfaces: stl, ply, obj or vtp")
-    ->type_name("FORMAT")
-    ->check(CLI::IsMember({ "stl", "ply", "obj", "vtp" }))
-    ->capture_default_str();
-  command
-    ->add_option("--label", request->Labels,
-      "A label that gets a surface, all others being background; repeat it for several. "
-      "Default: all")
-    ->type_name("N")
-    ->allow_extra_args(false)
+  CLI::App* command = AddCommand(program, "surfaces");
+  AddOption(*command, "LABELS", request->LabelMap);
+  AddOption(*command, "--output", request->Folder);
+  AddOption(*command, "--format", request->Format);
+  AddOption(*command, "--label", request->Labels)
     ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command
-    ->add_option("--names", request->Names, "Table of the labels' names: lines such as '5,liver'")
-    ->type_name("FILE");
-  CLI::Option* const exact = command->add_flag("--exact", request->Exact,
-    "Keep the center of each voxel on the side of its own label: voxelized again, the surfaces are "
-    "the label map");
-  command
-    ->add_option("--distance", request->Distance,
-      "How far surfaces may go along each axis to be smooth before voxels change sides, in voxels")
-    ->type_name("VOXELS")
-    ->check(CLI::Range(0.5, 1.0))
-    ->excludes(exact)
-    ->capture_default_str();
-  command->add_option("--iterations", request->Iterations, "Of the smoothing")
-    ->type_name("N")
-    ->check(CLI::Range(0, 10000))
-    ->capture_default_str();
+  AddOption(*command, "--names", request->Names);
+  request->Parameters.AddOptions(*command, FlipFree::LabelSurfaceParameters());
+  command->get_option("--distance")->excludes(command->get_option("--exact"));
   AddThreadsOption(*command, request->Threads);
-  AddQuietOption(*command, request->Quiet);
-  command->footer(SurfacesFooter);
+  AddOption(*command, "--quiet", request->Quiet);
   command->callback([request]() { MakeSurfaces(*request); });
 }
 

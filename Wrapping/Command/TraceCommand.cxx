@@ -1,8 +1,8 @@
-#include "CommonOptions.h"
 #include "Coordinates.h"
 #include "Failure.h"
 #include "MessageText.h"
 #include "Messages.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "PointOptions.h"
 #include "ProgressBar.h"
@@ -14,6 +14,9 @@
 #include "SurfaceFile.h"
 #include "TableFile.h"
 #include "VolumeFile.h"
+
+#include "FilterSettings.h"
+#include "Vessel/VesselParameters.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -42,18 +45,13 @@ struct Trace
   std::string SeriesUID;
   std::vector<double> Points; // three numbers each
   PointOptions Corrections;
-  double Radius = 0;
-  double WallThickness = 0;
-  int Modality = 0;
-  int Levels = 0;
-  int Iterations = 0;
+  GivenParameters<FlipFree::VesselSegmentationSettings> Parameters;
   std::string Surface;
   std::string Labels;
   std::string Centerline;
   std::string Convergence;
   std::string Snapshot;
   std::string SessionOut;
-  int Label = 1;
   int Threads = 0;
   bool Quiet = false;
 };
@@ -139,6 +137,19 @@ void ValidateRequest(const Trace& trace)
   }
 }
 
+/// Other parameters are refused as everywhere.
+void RefuseLength(const FlipFree::Parameter<FlipFree::VesselSegmentationSettings>& parameter,
+  double value)
+{
+  if (parameter.Words.Unit == std::string("MM"))
+  {
+    throw WrongUsage(OptionsOf(parameter.Name).front() + " must be a number of millimeters, " +
+      FlipFree::TextOf(parameter.Minimum) + " to " + FlipFree::TextOf(parameter.Maximum) +
+      ", not " + FlipFree::TextOf(value) + "." +
+      (parameter.Name == "Radius" ? " 0 finds it." : ""));
+  }
+}
+
 void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
 {
   for (std::size_t first = 0; first + 2 < trace.Points.size(); first += 3)
@@ -147,22 +158,9 @@ void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
     filter->AddPoint(x, y, z);
   }
   AddPoints(trace.Corrections.Points(), filter);
-  filter->SetRadius(trace.Radius);
-  if (filter->GetRadius() != trace.Radius)
-  {
-    throw WrongUsage("--radius must be a number of millimeters, 0 to 100, not " +
-      FlipFree::TextOf(trace.Radius) + ". 0 finds it.");
-  }
-  filter->SetWallThickness(trace.WallThickness);
-  if (filter->GetWallThickness() != trace.WallThickness)
-  {
-    throw WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5, not " +
-      FlipFree::TextOf(trace.WallThickness) + ".");
-  }
-  filter->SetModality(trace.Modality);
-  filter->SetLevels(trace.Levels);
-  filter->SetMaximumIterations(trace.Iterations);
-  filter->SetLabelValue(trace.Label);
+  FlipFree::VesselSegmentationSettings settings;
+  trace.Parameters.Apply(settings, RefuseLength);
+  FlipFree::FilterSettings::Set(filter, settings);
 }
 
 void PrintSummary(vtkFlipFreeVesselSegmentation* filter, const Trace& trace)
@@ -214,9 +212,7 @@ void TraceVessel(Trace trace)
   filter->SetInputData(image);
   try
   {
-    Run(filter, "tracing",
-      { { "Radius", "--radius" }, { "WallThickness", "--wall-thickness" },
-        { "Levels", "--levels" } });
+    Run(filter, "tracing", OptionNames(FlipFree::VesselParameters()));
   }
   catch (const Failure& failure)
   {
@@ -242,108 +238,25 @@ void TraceVessel(Trace trace)
   }
 }
 
-const char* const TraceFooter =
-  "Either all output files are written or none. Points lie in the vessel: one at each end, more\n"
-  "along it or at the ends of its branches, in any order. Points 5 mm off do little harm.\n"
-  "\n"
-  "Examples:\n"
-  "  flipfree trace ct.nii.gz --point 212 -143 480 --point 171 -168 228 -o aorta.vtp\n"
-  "  flipfree trace ct.nii.gz --point 274 -141 318 --point 145 -212 315 --point 105 -113 345 \\\n"
-  "      -o portal.stl --labels portal.nii.gz --centerline portal-line.vtp\n"
-  "  flipfree trace ct.nii.gz --point 212 -143 480 --point 171 -168 228 --outside 190 -150 350 \\\n"
-  "      -o aorta.vtp\n"
-  "\n"
-  "The poly lines of --centerline have the radius at each point, and the length up to it.\n";
-
-void AddFiles(CLI::App* command, Trace& trace)
-{
-  command
-    ->add_option("INPUT", trace.Input,
-      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), folder of a DICOM series, or DICOM file of "
-      "several frames")
-    ->required();
-  command
-    ->add_option("--series", trace.SeriesUID,
-      "Series Instance UID, if the folder holds several series; by default, the one with the most "
-      "slices; of one with several volumes, UID#1, UID#2 and so on ('flipfree series' lists them)")
-    ->type_name("UID");
-  command
-    ->add_option("--point", trace.Points,
-      "A point in the vessel, in LPS millimeters; two or more are needed")
-    ->type_name("X Y Z")
-    ->expected(3, CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false); // of the three that each time has
-  command->add_option("-o,--output", trace.Surface, "Surface (.vtp .stl .ply .obj)")
-    ->type_name("FILE");
-  command
-    ->add_option("--labels", trace.Labels,
-      "Label map (.nii.gz .nii .nrrd .mha; .seg.nrrd: a segmentation of 3D Slicer, with the "
-      "vessel's "
-      "name)")
-    ->type_name("FILE");
-  command->add_option("--centerline", trace.Centerline, "Poly lines with radii (.vtp)")
-    ->type_name("FILE");
-  AddConvergenceOption(*command, trace.Convergence);
-  AddSnapshotOption(*command, trace.Snapshot);
-  AddSaveSessionOption(*command, trace.SessionOut);
-}
-
-void AddParameters(CLI::App* command, Trace& trace)
-{
-  vtkNew<vtkFlipFreeVesselSegmentation> defaults;
-  trace.Radius = defaults->GetRadius();
-  trace.WallThickness = defaults->GetWallThickness();
-  trace.Modality = defaults->GetModality();
-  trace.Levels = defaults->GetLevels();
-  trace.Iterations = defaults->GetMaximumIterations();
-  command
-    ->add_option("--radius", trace.Radius,
-      "The vessel's approximate radius, up to 100; 0: found in the volume")
-    ->type_name("MM")
-    ->capture_default_str();
-  command
-    ->add_option("--wall-thickness", trace.WallThickness,
-      "Added to the outline, which gray values show without the vessel's wall, -5 to 5; less than "
-      "0 makes the vessel thinner, of which 0.5 mm must remain")
-    ->type_name("MM")
-    ->capture_default_str();
-  command
-    ->add_option("--modality", trace.Modality,
-      "Scale of the gray values, by which the contrast across the outline is judged; 0: automatic, "
-      "1: CT, 2: MR")
-    ->type_name("N")
-    ->check(CLI::Range(0, 2))
-    ->capture_default_str();
-  command->add_option("--levels", trace.Levels, "Levels from coarse to fine")
-    ->type_name("N")
-    ->check(CLI::Range(1, 4))
-    ->capture_default_str();
-  command
-    ->add_option("--iterations,--maximum-iterations", trace.Iterations,
-      "Maximum number of iterations at each level")
-    ->type_name("N")
-    ->check(CLI::Range(0, 1000))
-    ->capture_default_str();
-  command
-    ->add_option("--label-value", trace.Label, "Value of the vessel in the label map, 1 to 255")
-    ->type_name("N")
-    ->check(CLI::Range(1, 255))
-    ->capture_default_str();
-  AddThreadsOption(*command, trace.Threads);
-  AddQuietOption(*command, trace.Quiet);
-}
-
 } // namespace
 
 void AddTraceCommand(CLI::App& program)
 {
   const auto trace = std::make_shared<Trace>();
-  CLI::App* command =
-    program.add_subcommand("trace", "Segment a vessel, or a tree of vessels, between points");
-  AddFiles(command, *trace);
-  AddParameters(command, *trace);
-  trace->Corrections.AddOptions(*command, "vessel");
-  command->footer(TraceFooter);
+  CLI::App* command = AddCommand(program, "trace");
+  AddOption(*command, "INPUT", trace->Input);
+  AddOption(*command, "--series", trace->SeriesUID);
+  AddOption(*command, "--point", trace->Points);
+  AddOption(*command, "--output", trace->Surface);
+  AddOption(*command, "--labels", trace->Labels);
+  AddOption(*command, "--centerline", trace->Centerline);
+  AddOption(*command, "--convergence", trace->Convergence);
+  AddOption(*command, "--snapshot", trace->Snapshot);
+  AddOption(*command, "--save-session", trace->SessionOut);
+  trace->Parameters.AddOptions(*command, FlipFree::VesselParameters());
+  AddThreadsOption(*command, trace->Threads);
+  AddOption(*command, "--quiet", trace->Quiet);
+  trace->Corrections.AddOptions(*command);
   command->callback([trace]() { TraceVessel(*trace); });
 }
 

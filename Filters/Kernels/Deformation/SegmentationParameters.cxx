@@ -2,41 +2,27 @@
 
 namespace FlipFree
 {
-namespace
-{
 
-using Settings = VolumeSegmentationSettings;
-
-ParameterTable<Settings> MakeTable()
+const ParameterTable<VolumeSegmentationSettings>& SegmentationParameters()
 {
-  ParameterTable<Settings> table;
-  table.push_back(VectorParameter<double, Settings>(
-    "StartCenterOffset", [](auto& settings) { return settings.StartCenterOffset.data(); }, 3));
-#define ADD(Name, type, field, minimum, maximum)                                                   \
-  table.push_back(NumberParameter<type, Settings>(                                                 \
-    #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum));
-  ADD(StartScale, double, settings.StartScale, 1e-3, 1e3)
-  FLIPFREE_SCHEDULE_PARAMETERS(ADD, settings.Method.Schedule.)
-  ADD(LabelValue, int, settings.LabelValue, 1, 255)
-  ADD(KeepHistory, bool, settings.KeepHistory, false, true)
-  FLIPFREE_SMOOTHING_PARAMETERS(ADD, settings.Method.Smoothing., DiffusionIterations)
-  FLIPFREE_FEATURE_PARAMETERS(ADD, settings.Method.Feature.)
-  ADD(Modality, Modality, settings.Method.Feature.Modality, 0, 2)
-  FLIPFREE_TARGET_PARAMETERS(ADD, settings.Method.Targets.)
-  FLIPFREE_STEP_PARAMETERS(ADD, settings.Method.Step.)
-#undef ADD
+  using Settings = VolumeSegmentationSettings;
+  // clang-format off
+  static const ParameterTable<Settings> table{
+    VectorParameter<double, Settings>(
+      "StartCenterOffset", [](auto& settings) { return settings.StartCenterOffset.data(); }, 3,
+      { "X Y Z",
+        "Center of the first sphere relative to the seed, in mm, to start outside the seed", "Start" }),
+    FLIPFREE_WHOLE_PARAMETERS(FLIPFREE_PARAMETER, settings.)
+    FLIPFREE_SMOOTHING_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Smoothing., DiffusionIterations)
+    FLIPFREE_FEATURE_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Feature.)
+    FLIPFREE_TARGET_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Targets.)
+    FLIPFREE_STEP_PARAMETERS(FLIPFREE_PARAMETER, settings.Method.Step.)
+  };
+  // clang-format on
   return table;
 }
 
-} // namespace
-
-const ParameterTable<Settings>& SegmentationParameters()
-{
-  static const ParameterTable<Settings> table = MakeTable();
-  return table;
-}
-
-void RequireNumbers(const Settings& settings)
+void RequireNumbers(const VolumeSegmentationSettings& settings)
 {
   RequireNumbers(SegmentationParameters(), settings);
 }

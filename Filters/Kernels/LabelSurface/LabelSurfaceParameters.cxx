@@ -5,12 +5,9 @@ namespace FlipFree
 
 const ParameterTable<LabelSurfaceSettings>& LabelSurfaceParameters()
 {
-#define ENTRY(Name, type, field, minimum, maximum)                                                 \
-  NumberParameter<type, LabelSurfaceSettings>(                                                     \
-    #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum),
-  static const ParameterTable<LabelSurfaceSettings> table{ FLIPFREE_LABEL_SURFACE_PARAMETERS(ENTRY,
+  using Settings = LabelSurfaceSettings;
+  static const ParameterTable<Settings> table{ FLIPFREE_LABEL_SURFACE_PARAMETERS(FLIPFREE_PARAMETER,
     settings.) };
-#undef ENTRY
   return table;
 }
 

@@ -13,9 +13,14 @@
 // NOLINTBEGIN(bugprone-macro-parentheses)
 
 #define FLIPFREE_LABEL_SURFACE_PARAMETERS(P, S)                                                    \
-  P(Exact, bool, S Exact, false, true)                                                             \
-  P(Distance, double, S Distance, FlipFree::MinimumWallDistance, FlipFree::MaximumWallDistance)    \
-  P(Iterations, int, S Iterations, 0, FlipFree::MaximumWallIterations)
+  P(Exact, bool, S Exact, false, true, "",                                                         \
+    "Keep the center of each voxel on the side of its own label: voxelized again, the "            \
+    "surfaces are the label map")                                                                  \
+  P(Distance, double, S Distance, FlipFree::MinimumWallDistance, FlipFree::MaximumWallDistance,    \
+    "VOXELS",                                                                                      \
+    "How far surfaces may go along each axis to be smooth before voxels change sides, in "         \
+    "voxels")                                                                                      \
+  P(Iterations, int, S Iterations, 0, FlipFree::MaximumWallIterations, "N", "Of the smoothing")
 
 // NOLINTEND(bugprone-macro-parentheses)
 

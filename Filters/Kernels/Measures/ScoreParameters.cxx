@@ -5,11 +5,9 @@ namespace FlipFree
 
 const ParameterTable<ScoreSettings>& ScoreParameters()
 {
-#define ENTRY(Name, type, field, minimum, maximum)                                                 \
-  NumberParameter<type, ScoreSettings>(                                                            \
-    #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum),
-  static const ParameterTable<ScoreSettings> table{ FLIPFREE_SCORE_PARAMETERS(ENTRY, settings.) };
-#undef ENTRY
+  using Settings = ScoreSettings;
+  static const ParameterTable<Settings> table{ FLIPFREE_SCORE_PARAMETERS(FLIPFREE_PARAMETER,
+    settings.) };
   return table;
 }
 

@@ -2,33 +2,20 @@
 
 namespace FlipFree
 {
-namespace
-{
 
-using Settings = VesselSegmentationSettings;
-
-ParameterTable<Settings> MakeTable()
+const ParameterTable<VesselSegmentationSettings>& VesselParameters()
 {
-  ParameterTable<Settings> table;
-#define ADD(Name, type, field, minimum, maximum)                                                   \
-  table.push_back(NumberParameter<type, Settings>(                                                 \
-    #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum));
-  FLIPFREE_VESSEL_PATH_PARAMETERS(ADD, settings.)
-  ADD(Modality, Modality, settings.Path.Modality, 0, 2)
-  FLIPFREE_VESSEL_SURFACE_PARAMETERS(ADD, settings.)
-#undef ADD
+  using Settings = VesselSegmentationSettings;
+  // clang-format off
+  static const ParameterTable<Settings> table{
+    FLIPFREE_VESSEL_PATH_PARAMETERS(FLIPFREE_PARAMETER, settings.)
+    FLIPFREE_VESSEL_SURFACE_PARAMETERS(FLIPFREE_PARAMETER, settings.)
+  };
+  // clang-format on
   return table;
 }
 
-} // namespace
-
-const ParameterTable<Settings>& VesselParameters()
-{
-  static const ParameterTable<Settings> table = MakeTable();
-  return table;
-}
-
-void RequireNumbers(const Settings& settings)
+void RequireNumbers(const VesselSegmentationSettings& settings)
 {
   RequireNumbers(VesselParameters(), settings);
 }

@@ -13,13 +13,20 @@
 // NOLINTBEGIN(bugprone-macro-parentheses)
 
 #define FLIPFREE_VESSEL_PATH_PARAMETERS(P, S)                                                      \
-  P(Radius, double, S Path.Radius, 0, 100)                                                         \
-  P(WallThickness, double, S Path.WallThickness, -5, 5)
+  P(Radius, double, S Path.Radius, 0, 100, "MM",                                                   \
+    "The vessel's approximate radius, up to 100; 0: found in the volume")                          \
+  P(WallThickness, double, S Path.WallThickness, -5, 5, "MM",                                      \
+    "Added to the outline, which gray values show without the vessel's wall, -5 to 5; less "       \
+    "than 0 makes the vessel thinner, of which 0.5 mm must remain")                                \
+  P(Modality, FlipFree::Modality, S Path.Modality, 0, 2, "N",                                      \
+    "Scale of the gray values, by which the contrast across the outline is judged; 0: "            \
+    "automatic, 1: CT, 2: MR")
 
 #define FLIPFREE_VESSEL_SURFACE_PARAMETERS(P, S)                                                   \
-  P(Levels, int, S Levels, 1, 4)                                                                   \
-  P(MaximumIterations, int, S MaximumIterations, 0, 1000)                                          \
-  P(LabelValue, int, S LabelValue, 1, 255)
+  P(Levels, int, S Levels, 1, 4, "N", "Levels from coarse to fine")                                \
+  P(MaximumIterations, int, S MaximumIterations, 0, 1000, "N",                                     \
+    "Maximum number of iterations at each level")                                                  \
+  P(LabelValue, int, S LabelValue, 1, 255, "N", "Value of the vessel in the label map, 1 to 255")
 
 // NOLINTEND(bugprone-macro-parentheses)
 

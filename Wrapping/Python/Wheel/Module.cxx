@@ -50,6 +50,7 @@ NB_MODULE(_kernels, module)
   FlipFree::BindDicom(module);
   FlipFree::BindExchange(module);
   FlipFree::BindLabels(module);
+  FlipFree::BindOptions(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);
   module.attr("SEED_RADII") =

@@ -1,18 +1,13 @@
-"""The options of the command, from the table that the command of the toolkit prints.
-
-`_options.json` is what `flipfree --generate json` of the toolkit says, so both commands have the same
-options, with the same words but for those of OURS.
-"""
+"""The options of the command, from the toolkit's table: both commands have the same, with the same words but for OURS."""
 
 from __future__ import annotations
 
 import argparse
-import json
 import re
 from collections.abc import Mapping
-from importlib import resources
 from typing import Any, NoReturn
 
+from . import _kernels
 from ._parameters import Parameter
 
 Entry = Mapping[str, Any]
@@ -89,8 +84,7 @@ class Repeated(argparse.Action):
 
 def table() -> list[Entry]:
     """The program and its subcommands."""
-    text = resources.files(__package__).joinpath("_options.json").read_text(encoding="utf-8")
-    entries: list[dict[str, Any]] = json.loads(text)
+    entries = _kernels.commands()
     for entry in entries:
         for theirs, ours in OURS.items():
             entry["footer"] = entry["footer"].replace(theirs, ours)
