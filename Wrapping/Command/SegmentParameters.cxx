@@ -134,8 +134,7 @@ ParameterGroup FeatureParameters()
         "and run again",
         &Feature::GetCarving, &Feature::SetCarving),
       Property(FeatureOf, "--consensus", "",
-        "Where --carving changes much, grow the foreground again in other ways, and keep what most "
-        "agree on",
+        "Where --carving changes much, grow the foreground again in other ways, and decide once more",
         &Feature::GetConsensus, &Feature::SetConsensus),
       Property(FeatureOf, "--modality", "N",
         "Scale of the gray values, for --carving; 0: automatic, 1: CT, 2: MR",
