@@ -164,10 +164,9 @@ public:
   /**
    * Where carving changes much of the surface's inside (a Dice score below 0.92), the organ is
    * doubtful: its foreground is grown again from the carved one, with and without its intensity
-   * field, and the majority of the three decides on each voxel; growth from the seed by a narrower
-   * interval takes their place where its boundary is clearly better supported. Default on; takes
-   * extra time for doubtful organs only. Part of Carving; without LeakControl, it does nothing. See
-   * P. Aljabar et al.: Multi-atlas based segmentation of brain images, 2009.
+   * field, and one cut decides about what two of the three hold; growth from the seed by a narrower
+   * interval takes its place where its boundary is clearly better supported. Default on; takes
+   * extra time for doubtful organs only. Part of Carving; without LeakControl, it does nothing.
    */
   void SetConsensus(bool value);
   bool GetConsensus() const;

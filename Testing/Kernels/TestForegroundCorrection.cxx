@@ -1,5 +1,6 @@
 // What points change in a foreground.
 #include "Evidence/ForegroundCorrection.h"
+#include "ExampleVolumes.h"
 #include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 
@@ -146,7 +147,6 @@ TEST(ForegroundCorrection, TakesThePartOfAnotherOpinion)
   const PointConstraint outside{ ConstraintKind::Outside, { 14, 0, 0 }, 0 };
   const PointConstraint inside{ ConstraintKind::Inside, { 14, 0, 0 }, 0 };
   const PointConstraint contrary{ ConstraintKind::Inside, { 12, 14, 0 }, 0 };
-  const BitMask withContrary = image.Corrected(ball, { outside, contrary });
 
   image.Others.push_back(image.Part(right, true, 0));
   const BitMask less = image.Corrected(ball, { outside });
@@ -155,12 +155,54 @@ TEST(ForegroundCorrection, TakesThePartOfAnotherOpinion)
   EXPECT_FALSE(image.IsAt(less, 12, 0, -16));
   EXPECT_TRUE(image.IsAt(less, 0, 0, 0));
   EXPECT_TRUE(image.IsAt(less, -20, 0, 0));
-  EXPECT_EQ(image.Corrected(ball, { outside, contrary }), withContrary);
+  // A point of the other kind keeps what is near to it.
+  const BitMask kept = image.Corrected(ball, { outside, contrary });
+  EXPECT_TRUE(image.IsAt(kept, 12, 16, 0));
+  EXPECT_FALSE(image.IsAt(kept, 12, -16, 0));
 
   image.Others.front().Doubt.IsIncluded = false;
   const BitMask more = image.Corrected(rest, { inside });
   EXPECT_TRUE(image.IsAt(more, 12, 16, 0));
   EXPECT_TRUE(image.IsAt(more, 12, 0, -16));
+}
+
+// In a leak as deep as the organ, which no neck parts from it, a point anywhere means the part.
+TEST(ForegroundCorrection, TakesTheLeakThatAnotherOpinionHasNot)
+{
+  BallImage image({ 1, 1, 1 });
+  // The leak is of many gray values.
+  for (std::size_t voxel = 0; voxel < image.Voxels.size(); ++voxel)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, image.Geometry);
+    const bool isLeak = index[0] > 37;
+    const int odd = (index[0] / 8 + index[1] / 8 + index[2] / 8) % 2;
+    image.Voxels[voxel] = isLeak ? 70.0F + 90.0F * odd : 100.0F;
+  }
+  const BitMask leaked = MaskOf(image.Geometry,
+    [](const Eigen::Vector3d& point) { return point[0] > -8 && point.cwiseAbs().maxCoeff() < 31; });
+  const auto beyond = [&](double x)
+  {
+    BitMask part = leaked;
+    part.Remove(image.BoxBelow(x));
+    return part;
+  };
+  const auto corrected = [&](const Eigen::Vector3d& outside) {
+    return image.Corrected(leaked, { { ConstraintKind::Outside, outside, 0 } });
+  };
+  const BitMask alone = corrected({ 14, 0, 0 });
+  EXPECT_GT(alone.Count(), 0.8 * leaked.Count());
+
+  image.Others = { image.Part(beyond(5), true, 0) };
+  const BitMask less = corrected({ 14, 0, 0 });
+  EXPECT_FALSE(image.IsAt(less, 26, 26, -26));
+  EXPECT_FALSE(image.IsAt(less, 10, -26, 26));
+  EXPECT_TRUE(image.IsAt(less, 0, 0, 0));
+  // Not near the rim, where a point stands for its surroundings.
+  EXPECT_TRUE(image.IsAt(corrected({ 14, 0, 28 }), 26, 26, -26));
+  // Not in a part that holds the seed.
+  image.Others = { image.Part(beyond(-4), true, 0) };
+  image.Others.front().Doubt.Place = { 25, 20, 20 };
+  EXPECT_EQ(corrected({ 14, 0, 0 }), alone);
 }
 
 // Which of two parts does not depend on which one holds the other.

@@ -64,8 +64,7 @@
     "contrast, and run again",                                                                     \
     "Feature")                                                                                     \
   P(Consensus, bool, S Consensus, false, true, "",                                                 \
-    "Where {Carving} changes much, grow the foreground again in other ways, and keep what "        \
-    "most agree on",                                                                               \
+    "Where {Carving} changes much, grow the foreground again in other ways, and decide once more", \
     "Feature")                                                                                     \
   P(ClosingRadius, double, S Leaks.ClosingRadius, 0, 1000, "MM",                                   \
     "Radius of the foreground's closing", "Feature")                                               \

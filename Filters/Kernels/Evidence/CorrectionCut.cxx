@@ -343,29 +343,38 @@ private:
     }
   }
 
-  // At the place of parts of other opinions: the most doubtful one. Which one that is must not
-  // depend on other points.
+  // Of the parts of other opinions that the point means, the most doubtful one. Which one that is
+  // must not depend on other points.
   void ProposeOtherPart(const PointCorrection& correction)
   {
-    const double reach = this->Grid.Blocks.Spacing.maxCoeff();
-    const auto isMeant = [&](const OtherPart& other)
+    const auto other = std::find_if(this->Known.Others.begin(), this->Known.Others.end(),
+      [&](const OtherPart& part) { return this->Means(correction, part); });
+    if (other != this->Known.Others.end())
     {
-      return other.Doubt.IsIncluded != correction.IsInside &&
-        (other.Doubt.Place - correction.Point).norm() <= reach;
-    };
-    const auto other = std::find_if(this->Known.Others.begin(), this->Known.Others.end(), isMeant);
-    if (other == this->Known.Others.end())
-    {
-      return;
+      this->Gain(this->BlocksOf(*other, correction), correction);
     }
-    const std::vector<std::size_t> part = this->BlocksOf(*other, correction);
-    const bool isContrary = std::any_of(correction.Opposite.begin(), correction.Opposite.end(),
-      [&](const Eigen::Vector3d& point)
-      { return std::binary_search(part.begin(), part.end(), this->Grid.BlockAt(point)); });
-    if (!isContrary)
+  }
+
+  // A point at a part's place does. So does an outside point anywhere in a part that does not hold
+  // the seed, if it is as deep as the organ: in a leak as large as that.
+  bool Means(const PointCorrection& correction, const OtherPart& other) const
+  {
+    if (other.Doubt.IsIncluded == correction.IsInside)
     {
-      this->Gain(part, correction);
+      return false;
     }
+    if ((other.Doubt.Place - correction.Point).norm() <= this->Grid.Blocks.Spacing.maxCoeff())
+    {
+      return true;
+    }
+    if (correction.IsInside || correction.Away <= DeepInOrganRadii * this->Ball.Radius)
+    {
+      return false;
+    }
+    const std::vector<std::size_t> part = this->BlocksOf(other, correction);
+    const auto holds = [&](const Eigen::Vector3d& place)
+    { return std::binary_search(part.begin(), part.end(), this->Grid.BlockAt(place)); };
+    return holds(correction.Point) && !holds(this->Known.Seed.Center);
   }
 
   // Those that would change sides, ascending: by half, and around the part's place.

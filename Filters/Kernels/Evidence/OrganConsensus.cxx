@@ -1,6 +1,7 @@
 #include "Evidence/OrganConsensus.h"
 
 #include "Evidence/BoundarySupport.h"
+#include "Evidence/CoarseOrgan.h"
 #include "Evidence/OrganCarving.h"
 #include "Image/BallMorphology.h"
 #include "Intensity/IntensityField.h"
@@ -23,16 +24,14 @@ constexpr double FieldMargin = 2;
 constexpr double WidestOpening = 9;
 // Of the usual opening's radius.
 constexpr double WiderOpening = 1.6;
-// An opinion's volume in comparison with what was carved.
-constexpr double GreatestRatio = 2;
-// A foreground before it is carved, in comparison with what was carved.
+// A foreground's volume in comparison with what was carved.
 constexpr double LeastGrowth = 0.2;
 constexpr double GreatestGrowth = 3;
 // Of one that goes on beyond the surroundings, so that only a part of it is known.
 constexpr double GreatestCutGrowth = 2;
 // Masses of the foreground for growth from the seed.
 constexpr std::array<double, 2> NarrowMasses{ { 0.8, 0.9 } };
-constexpr double UnanimityWithoutVote = 0.5;
+constexpr double UnanimityWithoutOpinions = 0.5;
 // By which growth from the seed must be better supported.
 constexpr double SupportMargin = 1.25;
 
@@ -72,29 +71,13 @@ public:
   // None if the monitor stopped it.
   std::optional<BitMask> Execute()
   {
-    std::optional<BitMask> voted = this->Vote();
+    std::optional<BitMask> decided = this->Decide();
     if (this->Remembering.HasStopped())
     {
       return std::nullopt;
     }
-    BitMask best = std::move(voted).value_or(this->Usual);
-    const double leastContrast = LeastContrastAround(this->Image.View(), this->Seed, this->Noise);
-    double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
-    for (const double mass : NarrowMasses)
-    {
-      std::optional<BitMask> other = this->GrowFromSeed(mass);
-      if (this->Remembering.HasStopped())
-      {
-        return std::nullopt;
-      }
-      const double ofOther = other ? BoundarySupport(this->Image.View(), *other, leastContrast) : 0;
-      if (ofOther > support)
-      {
-        best = std::move(*other);
-        support = ofOther;
-      }
-    }
-    return best;
+    BitMask best = std::move(decided).value_or(this->Usual);
+    return this->ReplaceByGrowth(best) ? std::make_optional(std::move(best)) : std::nullopt;
   }
 
   const std::vector<BitMask>& GetOpinions() const { return this->Opinions; }
@@ -134,30 +117,37 @@ private:
     return cut;
   }
 
-  // None where the foreground has leaked, or is too small or too large to be worth carving.
-  std::optional<BitMask> GrowAndCarve(const ImageView<float>& image, const IntensityModel& model,
+  // None where the foreground has leaked, or is too small or too large to be about this organ.
+  std::optional<BitMask> Grow(const ImageView<float>& image, const IntensityModel& model,
     double opening)
   {
-    const Monitor proceed = this->Proceed();
     BitMask grown;
     if (!FindForegroundInBox(image, WholeBox(image.Geometry), model, this->Seed,
-          this->Radii(opening), this->Parallel, proceed, grown))
+          this->Radii(opening), this->Parallel, this->Proceed(), grown))
     {
-      return std::nullopt;
-    }
-    const auto count = static_cast<double>(grown.Count());
-    BitMask carved;
-    std::vector<DoubtfulPart> doubts; // what is asked about is what was carved at first
-    const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
-    if (count < LeastGrowth * this->Count || count > most * this->Count ||
-      !CarveOrgan(image, grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
-        this->Parallel, proceed, carved, doubts))
-    {
-      ++this->Grown;
       return std::nullopt;
     }
     ++this->Grown;
+    const auto count = static_cast<double>(grown.Count());
+    const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
+    if (count < LeastGrowth * this->Count || count > most * this->Count)
+    {
+      return std::nullopt;
+    }
     this->Considered.Unite(grown);
+    return grown;
+  }
+
+  // `supported` may be null. What is asked about is what was carved at first.
+  std::optional<BitMask> Carve(const BitMask& candidate, const BitMask* supported)
+  {
+    BitMask carved;
+    std::vector<DoubtfulPart> doubts;
+    if (!CarveOrgan(this->Image.View(), candidate, supported, this->Seed, this->Noise,
+          this->Settings.Modality, this->Parallel, this->Proceed(), carved, doubts))
+    {
+      return std::nullopt;
+    }
     this->Opinions.push_back(carved);
     return carved;
   }
@@ -165,23 +155,13 @@ private:
   // Grown anew by the intensities of what was carved.
   std::optional<BitMask> GrowAgain(const ImageView<float>& image)
   {
-    const Monitor proceed = this->Proceed();
     IntensityModel model = FitToSeed(image, this->Seed, this->Noise, this->Settings.Intensity);
     if (RefitToInside(image, { { 0, 0, 0 } }, this->Usual, this->Noise, this->Settings.Intensity,
-          this->Parallel, proceed, model) == Refit::Stopped)
+          this->Parallel, this->Proceed(), model) == Refit::Stopped)
     {
       return std::nullopt;
     }
-    std::optional<BitMask> opinion = this->GrowAndCarve(image, model, WiderOpening);
-    if (opinion)
-    {
-      const double ratio = static_cast<double>(opinion->Count()) / this->Count;
-      if (ratio > GreatestRatio || ratio < 1 / GreatestRatio)
-      {
-        return std::nullopt;
-      }
-    }
-    return opinion;
+    return this->Grow(image, model, WiderOpening);
   }
 
   std::optional<BitMask> GrowWithoutField()
@@ -199,13 +179,13 @@ private:
     }
     // In place, and read again afterward: a copy would take as much memory as the image.
     field->Flatten(this->Image.Geometry, this->Parallel, this->Image.Voxels.data());
-    std::optional<BitMask> opinion = this->GrowAgain(this->Image.View());
+    std::optional<BitMask> grown = this->GrowAgain(this->Image.View());
     this->ReadImage();
-    return opinion;
+    return grown;
   }
 
-  // Where two of three agree.
-  std::optional<BitMask> Vote()
+  // What two of three hold is supported; the cut decides about it and about what was carved.
+  std::optional<BitMask> Decide()
   {
     const std::optional<BitMask> again = this->GrowAgain(this->Image.View());
     if (!again || this->Remembering.HasStopped())
@@ -217,23 +197,54 @@ private:
     {
       return std::nullopt;
     }
-    BitMask both = *again;
-    both.Intersect(*flat);
     BitMask either = *again;
     either.Unite(*flat);
     either.Intersect(this->Usual);
-    both.Unite(either);
-    this->Unanimity =
-      std::min({ OverlapOf(*again, both), OverlapOf(*flat, both), OverlapOf(this->Usual, both) });
-    return both;
+    BitMask supported = *again;
+    supported.Intersect(*flat);
+    supported.Unite(either);
+    BitMask candidate = supported;
+    candidate.Unite(this->Usual);
+    this->Unanimity = OverlapOf(supported, this->Usual);
+    return this->Carve(candidate, &supported);
   }
 
-  std::optional<BitMask> GrowFromSeed(double mass)
+  // By growth from the seed where it is clearly better supported. Blocks tell where it may be.
+  bool ReplaceByGrowth(BitMask& best)
   {
-    IntensitySettings narrow = this->Settings.Intensity;
-    narrow.ForegroundMass = std::min(mass, narrow.ForegroundMass);
-    return this->GrowAndCarve(this->Image.View(),
-      FitToSeed(this->Image.View(), this->Seed, this->Noise, narrow), 1);
+    const IntensityModel ofSeed =
+      FitToSeed(this->Image.View(), this->Seed, this->Noise, this->Settings.Intensity);
+    const CoarseOrgan coarse({ this->Image.View(), {} }, this->Image.Geometry, best, this->Seed,
+      this->Noise, this->Settings, ofSeed, this->Parallel);
+    const double coarseSupport = coarse.SupportOf(coarse.BlocksOf(best));
+    const double leastContrast = LeastContrastAround(this->Image.View(), this->Seed, this->Noise);
+    double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
+    for (const double mass : NarrowMasses)
+    {
+      BitMask blocks;
+      if (!coarse.Grow(mass, this->Proceed(), blocks))
+      {
+        return false;
+      }
+      if (!blocks.HasGrid() || coarse.SupportOf(blocks) <= coarseSupport)
+      {
+        continue;
+      }
+      const std::optional<BitMask> grown =
+        this->Grow(this->Image.View(), NarrowedTo(mass, ofSeed), 1);
+      std::optional<BitMask> other = grown ? this->Carve(*grown, nullptr) : std::nullopt;
+      if (this->Remembering.HasStopped())
+      {
+        return false;
+      }
+      const double ofOther = other ? BoundarySupport(this->Image.View(), *other, leastContrast) : 0;
+      if (ofOther > support)
+      {
+        best = std::move(*other);
+        support = ofOther;
+      }
+    }
+    return true;
   }
 
   const ImageView<float> Smooth;
@@ -250,7 +261,7 @@ private:
   BitMask Considered; // by opinions
   std::vector<BitMask> Opinions;
   double Grown = 0;
-  double Unanimity = UnanimityWithoutVote;
+  double Unanimity = UnanimityWithoutOpinions;
 };
 
 } // namespace

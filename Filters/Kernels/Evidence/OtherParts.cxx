@@ -1,14 +1,9 @@
 #include "Evidence/OtherParts.h"
 
-#include "Evidence/BoundarySupport.h"
-#include "Evidence/OrganCarving.h"
+#include "Evidence/CoarseOrgan.h"
 #include "Evidence/OrganConsensus.h"
-#include "Evidence/RegionCut.h"
-#include "Image/BallInside.h"
-#include "Image/BlockNetwork.h"
 #include "Image/DistanceTransform.h"
 #include "Image/VoxelOffsets.h"
-#include "Intensity/LeakControl.h"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +16,6 @@ namespace FlipFree
 namespace
 {
 
-// Of the blocks of a cut (RegionBlockSize): parts are found on larger ones.
-constexpr double BlockScale = 1.6;
 // Of the foreground's volume.
 constexpr double LeastPartVolume = 0.01;
 // What is less deep, in blocks, does not connect a part; it belongs to what it is this many blocks
@@ -45,30 +38,20 @@ constexpr double GreatestSupportRatio = 1.2;
 constexpr double GreatestMargin = 6;
 constexpr std::size_t MostParts = 20;
 
-double BlockSizeOf(const BitMask& foreground, const SeedSphere& seed)
-{
-  return BlockScale * RegionBlockSize(BallInside(foreground, seed).Radius);
-}
-
 class OtherPartFinder
 {
 public:
   OtherPartFinder(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
     const OrganFeatureSettings& settings, const IntensityModel& ofSeed, const BitMask& foreground,
     const ParallelFor& parallelFor, const Monitor& monitor)
-    : Smooth(smooth)
-    , Seed(seed)
-    , Noise(noise)
-    , Settings(settings)
-    , OfSeed(ofSeed)
-    , Parallel(parallelFor)
+    : Parallel(parallelFor)
     , Ask(monitor)
     , Box(ConsensusBox(foreground, seed))
-    , Grid(CropGeometry(smooth.Geometry, Box), BlockSizeOf(foreground, seed))
-    , Means(SmoothBlockMeans({ smooth, Box.Begin }, Grid, parallelFor))
-    , Foreground(BlocksOf(foreground))
-    , LeastContrast(LeastContrastAround(smooth, seed, noise))
-    , Support(this->SupportOf(Foreground))
+    , Organ({ smooth, Box.Begin }, CropGeometry(smooth.Geometry, Box), foreground, seed, noise,
+        settings, ofSeed, parallelFor)
+    , Grid(Organ.GetGrid())
+    , Foreground(Organ.BlocksOf(foreground.Cropped(Box)))
+    , Support(Organ.SupportOf(Foreground))
   {
   }
 
@@ -81,15 +64,20 @@ public:
     this->Steps = static_cast<double>(opinions.size() + 2 * CoarseMasses.size());
     for (const BitMask& opinion : opinions)
     {
-      if (!this->AddParts(this->BlocksOf(opinion)))
+      if (!this->AddParts(this->Organ.BlocksOf(opinion.Cropped(this->Box))))
       {
         return false;
       }
     }
     for (const double mass : CoarseMasses)
     {
-      BitMask grown;
-      if (!this->Grow(mass, grown) || (grown.Count() > 0 && !this->AddParts(grown)))
+      BitMask carved;
+      if (!this->Organ.Grow(mass, this->Proceed(), carved))
+      {
+        return false;
+      }
+      ++this->Done;
+      if (carved.HasGrid() && !this->AddParts(carved))
       {
         return false;
       }
@@ -134,25 +122,6 @@ private:
     return [this](double) { return this->Ask(this->Done / this->Steps); };
   }
 
-  ImageView<float> View() const { return { this->Means.data(), this->Grid.Blocks }; }
-
-  // Those of which the mask holds half.
-  BitMask BlocksOf(const BitMask& mask) const
-  {
-    const std::vector<std::size_t> counts =
-      this->Grid.CountVoxels(mask.Cropped(this->Box), this->Parallel);
-    BitMask blocks(this->Grid.Blocks);
-    for (std::size_t block = 0; block < counts.size(); ++block)
-    {
-      if (this->Grid.AreHalf(counts[block]))
-      {
-        const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
-        blocks.Insert(index[0], index[1], index[2]);
-      }
-    }
-    return blocks;
-  }
-
   OtherPart VoxelsOf(const Part& part) const
   {
     BitMask voxels(this->Grid.Voxels);
@@ -168,31 +137,6 @@ private:
       box.End[axis] += this->Box.Begin[axis];
     }
     return { box, voxels.Cropped(bounds), part.Doubt };
-  }
-
-  double SupportOf(const BitMask& mask) const
-  {
-    return BoundarySupport(this->View(), mask, this->LeastContrast);
-  }
-
-  // What is carved is empty where growth finds nothing.
-  bool Grow(double mass, BitMask& carved)
-  {
-    IntensityModel narrow = this->OfSeed;
-    narrow.Threshold = std::max(narrow.Threshold, narrow.Mixture.ThresholdForMass(mass));
-    const Monitor proceed = this->Proceed();
-    BitMask grown;
-    if (!FindForegroundInBox(this->View(), WholeBox(this->Grid.Blocks), narrow, this->Seed,
-          RadiiOf(this->Settings.Leaks, this->Seed.Radius, this->Grid.Blocks), this->Parallel,
-          proceed, grown))
-    {
-      return false;
-    }
-    ++this->Done;
-    std::vector<DoubtfulPart> doubts; // of another organ than the one that was found
-    return grown.Count() == 0 ||
-      CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
-        this->Parallel, proceed, carved, doubts);
   }
 
   bool AddParts(const BitMask& other)
@@ -285,8 +229,8 @@ private:
       const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
       changed.SetRun(!isIncluded, index[0], index[0] + 1, index[1], index[2]);
     }
-    const double ratio =
-      std::max(1e-6, std::min(GreatestSupportRatio, this->SupportOf(changed) / this->Support));
+    const double ratio = std::max(1e-6,
+      std::min(GreatestSupportRatio, this->Organ.SupportOf(changed) / this->Support));
     const double margin =
       DoubtfulPart::MarginScale * (SupportOffset - SupportSlope * std::log(ratio));
     if (margin > GreatestMargin)
@@ -303,19 +247,12 @@ private:
     this->Parts.push_back(std::move(part));
   }
 
-  const ImageView<float>& Smooth;
-  const SeedSphere& Seed;
-  const double Noise;
-  const OrganFeatureSettings& Settings;
-  const IntensityModel& OfSeed;
   const ParallelFor& Parallel;
   const Monitor& Ask;
   const VoxelBox Box;
-  const BlockGrid Grid;
-
-  const std::vector<float> Means;
+  const CoarseOrgan Organ;
+  const BlockGrid& Grid;
   const BitMask Foreground; // of blocks
-  const double LeastContrast;
   const double Support;
   std::vector<Part> Parts;
   double Done = 0;

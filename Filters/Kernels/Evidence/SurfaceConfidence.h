@@ -14,8 +14,8 @@
  *
  * Seed: the logarithm of its radius. A small seed says little about the organ.
  *
- * Unanimity: the opinions of the consensus (OrganConsensus.h) are alike. Where one was sought and
- * there was none, little is known.
+ * Unanimity: what grows in other ways agrees with what was carved (OrganConsensus.h). Where such
+ * opinions were sought and there were none, little is known.
  *
  * The surface's confidence is a logistic function of the four. It estimates the Dice score: in the
  * ranges up to 0.7, 0.85, 0.92, and above, its mean is 0.47, 0.80, 0.89 and 0.93, and the mean of

@@ -24,8 +24,8 @@ struct OrganFeatureSettings
   /// foreground.
   bool Carving = true;
 
-  /// Where carving changed much of the surface's inside, seek further opinions and keep what most
-  /// of them hold (OrganConsensus.h). Part of Carving; needs ControlLeaks.
+  /// Where carving changed much of the surface's inside, seek further opinions and decide once more
+  /// (OrganConsensus.h). Part of Carving; needs ControlLeaks.
   bool Consensus = true;
 
   FlipFree::Modality Modality = FlipFree::Modality::Automatic;

@@ -1,0 +1,81 @@
+#include "Evidence/CoarseOrgan.h"
+
+#include "Evidence/BoundarySupport.h"
+#include "Evidence/OrganCarving.h"
+#include "Evidence/RegionCut.h"
+#include "Image/BallInside.h"
+#include "Image/BlockNetwork.h"
+#include "Intensity/LeakControl.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Of the blocks of a cut (RegionBlockSize).
+constexpr double CoarseScale = 1.6;
+
+} // namespace
+
+IntensityModel NarrowedTo(double mass, const IntensityModel& ofSeed)
+{
+  IntensityModel narrow = ofSeed;
+  narrow.Threshold = std::max(narrow.Threshold, narrow.Mixture.ThresholdForMass(mass));
+  return narrow;
+}
+
+CoarseOrgan::CoarseOrgan(const ImagePart& image, const ImageGeometry& voxels,
+  const BitMask& foreground, const SeedSphere& seed, double noise,
+  const OrganFeatureSettings& settings, const IntensityModel& ofSeed,
+  const ParallelFor& parallelFor)
+  : Seed(seed)
+  , Noise(noise)
+  , Settings(settings)
+  , OfSeed(ofSeed)
+  , Parallel(parallelFor)
+  , Grid(voxels, CoarseScale * RegionBlockSize(BallInside(foreground, seed).Radius))
+  , Means(SmoothBlockMeans(image, Grid, parallelFor))
+  , LeastContrast(LeastContrastAround(image.Image, seed, noise))
+{
+}
+
+BitMask CoarseOrgan::BlocksOf(const BitMask& mask) const
+{
+  const std::vector<std::size_t> counts = this->Grid.CountVoxels(mask, this->Parallel);
+  BitMask blocks(this->Grid.Blocks);
+  for (std::size_t block = 0; block < counts.size(); ++block)
+  {
+    if (this->Grid.AreHalf(counts[block]))
+    {
+      const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
+      blocks.Insert(index[0], index[1], index[2]);
+    }
+  }
+  return blocks;
+}
+
+double CoarseOrgan::SupportOf(const BitMask& blocks) const
+{
+  return BoundarySupport(this->View(), blocks, this->LeastContrast);
+}
+
+bool CoarseOrgan::Grow(double mass, const Monitor& monitor, BitMask& carved) const
+{
+  const ImageGeometry& blocks = this->Grid.Blocks;
+  BitMask grown;
+  if (!FindForegroundInBox(this->View(), WholeBox(blocks), NarrowedTo(mass, this->OfSeed),
+        this->Seed, RadiiOf(this->Settings.Leaks, this->Seed.Radius, blocks), this->Parallel,
+        monitor, grown))
+  {
+    return false;
+  }
+  carved = BitMask();
+  std::vector<DoubtfulPart> doubts; // of another organ than the one that was found
+  return grown.Count() == 0 ||
+    CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
+      this->Parallel, monitor, carved, doubts);
+}
+
+} // namespace FlipFree
