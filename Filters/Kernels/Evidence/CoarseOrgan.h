@@ -5,6 +5,7 @@
 #ifndef FlipFreeCoarseOrgan_h
 #define FlipFreeCoarseOrgan_h
 
+#include "Image/BitMask.h"
 #include "Image/BlockGrid.h"
 #include "Image/ImagePart.h"
 #include "Image/SeedRegion.h"
@@ -21,9 +22,10 @@ IntensityModel NarrowedTo(double mass, const IntensityModel& ofSeed);
 class CoarseOrgan
 {
 public:
-  /// `foreground` is on the grid `voxels`, which is that of the image's part. `noise` is the
-  /// standard deviation before smoothing; the settings' modality is not Automatic; `ofSeed` is the
-  /// seed's (FitToSeed()). The arguments must outlive the object, but for the foreground.
+  /// `voxels` is the grid of the image's part; the foreground is on it, or on that of the whole
+  /// image. `noise` is the standard deviation before smoothing; the settings' modality is not
+  /// Automatic; `ofSeed` is the seed's (FitToSeed()). Refers to the seed, the settings, `ofSeed`
+  /// and `parallelFor`.
   CoarseOrgan(const ImagePart& image, const ImageGeometry& voxels, const BitMask& foreground,
     const SeedSphere& seed, double noise, const OrganFeatureSettings& settings,
     const IntensityModel& ofSeed, const ParallelFor& parallelFor);
@@ -33,11 +35,12 @@ public:
   /// The blocks of which a mask on the grid of the voxels holds half.
   BitMask BlocksOf(const BitMask& mask) const;
 
-  /// Of a mask of blocks (BoundarySupport.h).
+  /// Of a mask of blocks; contrast below the least does not count (BoundarySupport.h).
   double SupportOf(const BitMask& blocks) const;
+  double GetLeastContrast() const { return this->LeastContrast; }
 
   /// Grows from the seed by the gray values that hold this part of the seed's mass, and carves;
-  /// empty where nothing grows. Returns false if the monitor stopped it.
+  /// without a grid where nothing grows. Returns false if the monitor stopped it.
   bool Grow(double mass, const Monitor& monitor, BitMask& carved) const;
 
 private:

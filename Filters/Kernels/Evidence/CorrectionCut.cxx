@@ -256,7 +256,7 @@ private:
         return false;
       }
       const NestedPart part = this->Leaks->PartAround(own, {}, OnTopOfLeak);
-      if (part.Voxels.empty() && correction.Away > DeepInOrganRadii * this->Ball.Radius)
+      if (part.Voxels.empty() && this->IsAsDeepAsOrgan(correction))
       {
         this->FreeWhatIsNearer(correction);
       }
@@ -367,14 +367,15 @@ private:
     {
       return true;
     }
-    if (correction.IsInside || correction.Away <= DeepInOrganRadii * this->Ball.Radius)
-    {
-      return false;
-    }
-    const std::vector<std::size_t> part = this->BlocksOf(other, correction);
-    const auto holds = [&](const Eigen::Vector3d& place)
-    { return std::binary_search(part.begin(), part.end(), this->Grid.BlockAt(place)); };
-    return holds(correction.Point) && !holds(this->Known.Seed.Center);
+    const ImageGeometry& voxels = this->Known.Image.Image.Geometry;
+    return !correction.IsInside && this->IsAsDeepAsOrgan(correction) &&
+      other.Holds(NearestVoxel(voxels, correction.Point)) &&
+      !other.Holds(NearestVoxel(voxels, this->Known.Seed.Center));
+  }
+
+  bool IsAsDeepAsOrgan(const PointCorrection& correction) const
+  {
+    return correction.Away > DeepInOrganRadii * this->Ball.Radius;
   }
 
   // Those that would change sides, ascending: by half, and around the part's place.

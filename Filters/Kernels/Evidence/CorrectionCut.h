@@ -10,11 +10,11 @@
  * parts an outside point in the depth of the mask from the organ, all that is nearer to it than to
  * the organ may leave. An inside point in the depth of what was not expected in the organ proposes
  * the part around it of what grows from there (TissueGrowth.h). Where a point lies at the place of
- * a part about which another opinion disagrees (OtherParts.h), or as deep as the organ in one, that
- * part is proposed as a whole. What a point proposes depends on the mask and the image, and gets
- * less by points of the other kind, never by those of its own. So a further inside point can only
- * add, a further outside point only remove, and their order means nothing: minimum cuts are
- * monotone in their terminals.
+ * a part about which another opinion disagrees (OtherParts.h), that part is proposed as a whole; so
+ * it is where an outside point as deep as the organ lies in one that does not hold the seed. What a
+ * point proposes depends on the mask and the image, and gets less by points of the other kind,
+ * never by those of its own. So a further inside point can only add, a further outside point only
+ * remove, and their order means nothing: minimum cuts are monotone in their terminals.
  */
 #ifndef FlipFreeCorrectionCut_h
 #define FlipFreeCorrectionCut_h

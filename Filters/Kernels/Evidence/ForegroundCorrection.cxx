@@ -168,7 +168,7 @@ private:
       {
         continue;
       }
-      std::shared_ptr<const GrownTissue> tissue =
+      std::shared_ptr<const MaskPart> tissue =
         this->Given.Growth->From(correction.Point, this->Ask);
       if (!tissue)
       {

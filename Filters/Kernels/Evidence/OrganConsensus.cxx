@@ -217,8 +217,7 @@ private:
     const CoarseOrgan coarse({ this->Image.View(), {} }, this->Image.Geometry, best, this->Seed,
       this->Noise, this->Settings, ofSeed, this->Parallel);
     const double coarseSupport = coarse.SupportOf(coarse.BlocksOf(best));
-    const double leastContrast = LeastContrastAround(this->Image.View(), this->Seed, this->Noise);
-    double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
+    std::optional<double> support; // takes time, and mostly blocks tell enough
     for (const double mass : NarrowMasses)
     {
       BitMask blocks;
@@ -228,6 +227,7 @@ private:
       }
       if (!blocks.HasGrid() || coarse.SupportOf(blocks) <= coarseSupport)
       {
+        ++this->Grown;
         continue;
       }
       const std::optional<BitMask> grown =
@@ -237,8 +237,11 @@ private:
       {
         return false;
       }
-      const double ofOther = other ? BoundarySupport(this->Image.View(), *other, leastContrast) : 0;
-      if (ofOther > support)
+      const auto supportOf = [&](const BitMask& mask)
+      { return BoundarySupport(this->Image.View(), mask, coarse.GetLeastContrast()); };
+      support = support.value_or(SupportMargin * supportOf(best));
+      const double ofOther = other ? supportOf(*other) : 0;
+      if (ofOther > *support)
       {
         best = std::move(*other);
         support = ofOther;

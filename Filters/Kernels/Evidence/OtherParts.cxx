@@ -136,7 +136,7 @@ private:
       box.Begin[axis] += this->Box.Begin[axis];
       box.End[axis] += this->Box.Begin[axis];
     }
-    return { box, voxels.Cropped(bounds), part.Doubt };
+    return { { box, voxels.Cropped(bounds) }, part.Doubt };
   }
 
   bool AddParts(const BitMask& other)

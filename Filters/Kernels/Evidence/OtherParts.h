@@ -10,7 +10,7 @@
 #define FlipFreeOtherParts_h
 
 #include "Evidence/DoubtfulPart.h"
-#include "Image/BitMask.h"
+#include "Image/MaskPart.h"
 #include "Image/SeedRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -19,10 +19,8 @@
 namespace FlipFree
 {
 
-struct OtherPart
+struct OtherPart : MaskPart
 {
-  VoxelBox Box;   ///< in the grid of the foreground
-  BitMask Voxels; ///< in the box
   DoubtfulPart Doubt;
 };
 

@@ -13,8 +13,7 @@
  * likelihoods, so the difference of two is the logarithm of the odds, up to a scale: without any
  * margin, the odds are even. Of the parts that were cut off at first in 115 organs, 4 of 11 below a
  * margin of 2.1 were decided wrongly, and 3 of 39 above. The scale follows these: 0.35 at half of
- * 2.1, 0.08 at twice. Of the 215 questions about the 76 organs of development.csv, the decision was
- * wrong in 35 of 105 below 2.1, 11 of 101 up to 6, and none of 9 above.
+ * 2.1, 0.08 at twice.
  */
 #ifndef FlipFreePartQuestions_h
 #define FlipFreePartQuestions_h

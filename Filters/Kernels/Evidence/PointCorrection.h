@@ -21,7 +21,7 @@ struct PointCorrection
   double Away = 0;   ///< mm to the nearest voxel center on its side of the mask; 0 on that side
   Eigen::Vector3d NearestOnSide = Eigen::Vector3d::Zero(); ///< that center
   /// From an inside point deep in what was not expected in the organ; else null.
-  std::shared_ptr<const GrownTissue> Tissue;
+  std::shared_ptr<const MaskPart> Tissue;
   double Domain = 0; ///< mm; how far away from the point its surroundings may change
   /// Points of the other kind; for an outside point, the seed's center with them.
   std::vector<Eigen::Vector3d> Opposite;

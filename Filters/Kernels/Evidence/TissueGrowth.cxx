@@ -29,7 +29,7 @@ TissueGrowth::TissueGrowth(SmoothRegion& region, double noise, const OrganFeatur
 {
 }
 
-std::shared_ptr<const GrownTissue> TissueGrowth::From(const Eigen::Vector3d& place,
+std::shared_ptr<const MaskPart> TissueGrowth::From(const Eigen::Vector3d& place,
   const Monitor& monitor)
 {
   const auto kept = std::find_if(this->Kept.begin(), this->Kept.end(),
@@ -38,7 +38,7 @@ std::shared_ptr<const GrownTissue> TissueGrowth::From(const Eigen::Vector3d& pla
   {
     return kept->second;
   }
-  const auto tissue = std::make_shared<GrownTissue>();
+  const auto tissue = std::make_shared<MaskPart>();
   if (!this->Grow(place, monitor, *tissue))
   {
     return nullptr;
@@ -51,7 +51,7 @@ std::shared_ptr<const GrownTissue> TissueGrowth::From(const Eigen::Vector3d& pla
   return tissue;
 }
 
-bool TissueGrowth::Grow(const Eigen::Vector3d& place, const Monitor& monitor, GrownTissue& tissue)
+bool TissueGrowth::Grow(const Eigen::Vector3d& place, const Monitor& monitor, MaskPart& tissue)
 {
   const ImageGeometry& geometry = this->Region.View().Geometry;
   // Between thick slices, a sphere may hold no voxel.
