@@ -8,6 +8,8 @@
 
 #include "PropertyCheck.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -39,15 +41,23 @@ struct Parameter
   ParameterType Type;
   int Count; ///< of its numbers
   std::function<std::vector<double>(const Settings&)> Get;
-  /// Takes `Count` numbers and clamps each to its range; NaN passes.
+  /// Takes `Count` numbers and clamps each to its range; NaN, which only reals may be given,
+  /// passes.
   std::function<void(Settings&, const std::vector<double>&)> Set;
   double Minimum;
   double Maximum;
   ParameterWords Words;
 
-  /// Sets it; whether the number was in its range. Of several, any will do.
+  /// Sets it; whether the number was in its range. Of several, any will do. What is not `Count`
+  /// numbers, or NaN for a Boolean or an Integer, is not set.
   bool Take(Settings& settings, const std::vector<double>& values) const
   {
+    const auto isNaN = [](double value) { return std::isnan(value); };
+    if (static_cast<int>(values.size()) != this->Count ||
+      (this->Type != ParameterType::Real && std::any_of(values.begin(), values.end(), isNaN)))
+    {
+      return false;
+    }
     this->Set(settings, values);
     return this->Count > 1 || this->Get(settings) == values;
   }

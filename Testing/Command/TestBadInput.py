@@ -117,6 +117,12 @@ class TestBadInput(command.CommandTest):
             with self.subTest(name=name):
                 self.assert_refused(self.segment(*self.seed, "-o", name), 1, name, reason)
 
+    def test_parameters_of_surfaces_are_checked_before_any_work(self):
+        for option, value, limits in (("--distance", 3, "0.5 to 1"), ("--iterations", -1, "0 to 10000")):
+            with self.subTest(option=option):
+                process = command.run("surfaces", "/nowhere/labels.nii.gz", "-o", self.result("x"), option, value)
+                self.assert_refused(process, 2, f"{option}: {value} is out of range. Give {limits}. See 'flipfree surfaces --help'.")
+
     @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
     def test_folder_without_permission(self):
         os.chmod(self.results, 0o500)

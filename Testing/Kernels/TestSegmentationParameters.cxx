@@ -1,6 +1,8 @@
 // Every parameter by its name.
 #include "Deformation/SegmentationParameters.h"
+#include "LabelSurface/LabelSurfaceParameters.h"
 #include "Measures/ScoreParameters.h"
+#include "ParameterTable.h"
 #include "Phantom/PhantomVolume.h"
 #include "Vessel/VesselParameters.h"
 
@@ -8,6 +10,9 @@
 
 #include <limits>
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 using namespace FlipFree;
 
@@ -54,7 +59,59 @@ void ExpectIndependentFields(const ParameterTable<Settings>& table)
   }
 }
 
+// Whoever reads the table makes a switch of a parameter without unit.
+template <typename Settings>
+void ExpectUnits(const ParameterTable<Settings>& table)
+{
+  for (const Parameter<Settings>& parameter : table)
+  {
+    EXPECT_EQ(std::string(parameter.Words.Unit).empty(), parameter.Type == ParameterType::Boolean)
+      << parameter.Name;
+  }
+}
+
+// NaN is no value of a boolean, an integer or an enumeration, and too few or many numbers are none
+// of any: what is not taken changes nothing.
+template <typename Settings>
+void ExpectRefusals(const ParameterTable<Settings>& table)
+{
+  for (const Parameter<Settings>& parameter : table)
+  {
+    SCOPED_TRACE(parameter.Name);
+    Settings settings;
+    const std::vector<double> before = parameter.Get(settings);
+    std::vector<double> more = before;
+    more.push_back(1);
+    EXPECT_FALSE(parameter.Take(settings, more));
+    EXPECT_FALSE(parameter.Take(settings, {}));
+    if (parameter.Type != ParameterType::Real)
+    {
+      EXPECT_FALSE(parameter.Take(settings, { NaN }));
+    }
+    EXPECT_EQ(parameter.Get(settings), before);
+    EXPECT_TRUE(parameter.Take(settings, before));
+  }
+}
+
 } // namespace
+
+TEST(ParameterTable, UnitsAreThoseOfNumbers)
+{
+  ExpectUnits(SegmentationParameters());
+  ExpectUnits(VesselParameters());
+  ExpectUnits(LabelSurfaceParameters());
+  ExpectUnits(ScoreParameters());
+}
+
+TEST(ParameterTable, OnlyItsNumbersAreTaken)
+{
+  ExpectRefusals(SegmentationParameters());
+  ExpectRefusals(VesselParameters());
+  ExpectRefusals(LabelSurfaceParameters());
+  VolumeSegmentationSettings settings;
+  EXPECT_FALSE(Find(SegmentationParameters(), "Fairing").Take(settings, { NaN }));
+  EXPECT_FALSE(Find(SegmentationParameters(), "Levels").Take(settings, { 7 }));
+}
 
 TEST(ParameterTable, EntriesAreIndependentFields)
 {

@@ -75,6 +75,15 @@ class Options(unittest.TestCase):
                     self.assertEqual(process.returncode, status)
                     self.assertRegex(process.stderr, rf"\A{message}")
 
+    def test_another_pipe_that_nobody_reads(self):
+        """Of a scheduler, say: it is an error, which says so."""
+        code = ("import sys\nfrom flipfree import _command\n"
+                "def run(words):\n    print('so far')\n    raise BrokenPipeError(32, 'Broken pipe')\n"
+                "_command._run = run\nsys.exit(_command.main([]))\n")
+        process = run("-c", code, program=sys.executable)
+        self.assertEqual((process.returncode, process.stdout, process.stderr),
+                         (1, "so far\n", "flipfree: error: Writing failed (Broken pipe).\n"))
+
 
 class Work(unittest.TestCase):
     @classmethod

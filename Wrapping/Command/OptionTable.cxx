@@ -1,9 +1,10 @@
 #include "OptionTable.h"
 
 #include "Deformation/SegmentationParameters.h"
+#include "JsonText.h"
 #include "LabelSurface/LabelSurfaceParameters.h"
-#include "MessageText.h"
 #include "Phantom/PhantomVolume.h"
+#include "QuantityNames.h"
 #include "Vessel/VesselParameters.h"
 
 #include <algorithm>
@@ -159,6 +160,17 @@ OptionEntry InGroup(const std::string& group, OptionEntry option)
   return option;
 }
 
+/// As the options read them back.
+std::string DefaultOf(int value)
+{
+  return std::to_string(value);
+}
+
+std::string DefaultOf(double value)
+{
+  return FlipFree::JsonOf(value);
+}
+
 /// Those of the parameters with a group, or without one; a switch that is on has another to turn it
 /// off.
 template <typename Settings>
@@ -175,13 +187,20 @@ std::vector<OptionEntry> ParameterEntries(const FlipFree::ParameterTable<Setting
     }
     OptionEntry option{ OptionsOf(parameter.Name), SplitAt(parameter.Words.Unit, ' '), {},
       FlipFree::WithNames(parameter.Words.Help, names), "", title };
-    for (const double value : parameter.Get(Settings()))
+    const std::vector<double> values = parameter.Get(Settings());
+    if (parameter.Type != FlipFree::ParameterType::Boolean)
     {
-      option.Default += (option.Default.empty() ? "" : " ") + FlipFree::TextOf(value);
+      for (const double value : values)
+      {
+        option.Default += (option.Default.empty() ? "" : " ") +
+          (parameter.Type == FlipFree::ParameterType::Integer ? DefaultOf(static_cast<int>(value))
+                                                              : DefaultOf(value));
+      }
     }
-    if (option.Values.empty())
+    else
     {
-      const bool isOn = option.Default != "0";
+      const bool isOn = values.front() != 0;
+      option.Values.clear();
       option.Default = isOn ? "on" : "";
       if (isOn)
       {
@@ -444,11 +463,10 @@ CommandEntry PhantomEntry()
       Option("--spacing", "X Y Z", "Voxel spacing along each axis, in mm",
         "depends on the phantom"),
       Option("--noise", "S", "Standard deviation of the noise",
-        FlipFree::TextOf(defaults.NoiseStandardDeviation)),
-      Option("--random-seed", "N", "Seed of the random numbers",
-        FlipFree::TextOf(defaults.RandomSeed)),
+        DefaultOf(defaults.NoiseStandardDeviation)),
+      Option("--random-seed", "N", "Seed of the random numbers", DefaultOf(defaults.RandomSeed)),
       Option("--lesions", "N", "Number of lesions in the abdomen's liver, 0 to 20",
-        FlipFree::TextOf(defaults.NumberOfLesions)),
+        DefaultOf(defaults.NumberOfLesions)),
       QuietFlag() });
   return command;
 }

@@ -4,6 +4,8 @@
 #include "MessageText.h"
 #include "VolumeFile.h"
 
+#include <cstdint>
+
 namespace Command
 {
 namespace
@@ -62,12 +64,12 @@ void AddThreadsOption(CLI::App& command, int& threads)
   AddOption(command, "--threads", threads)->check(CLI::Range(0, 1024));
 }
 
-void AddNumbers(CLI::App& command, const OptionEntry& entry, bool areIntegers,
+void AddNumbers(CLI::App& command, const OptionEntry& entry, FlipFree::ParameterType type,
   const std::function<void(const std::vector<double>&)>& keep)
 {
   const std::string names = ParserNames(entry);
   const auto keepOne = [keep](double value) { keep({ value }); };
-  if (entry.Values.empty())
+  if (type == FlipFree::ParameterType::Boolean)
   {
     Describe(
       command.add_flag_function(
@@ -79,7 +81,7 @@ void AddNumbers(CLI::App& command, const OptionEntry& entry, bool areIntegers,
     Describe(command.add_option_function(names, keep, entry.Description), entry)
       ->expected(static_cast<int>(entry.Values.size()));
   }
-  else if (areIntegers)
+  else if (type == FlipFree::ParameterType::Integer)
   {
     Describe(command.add_option_function<int>(names, keepOne, entry.Description), entry);
   }

@@ -6,10 +6,12 @@
 #define FlipFreeCommandOptions_h
 
 #include "OptionTable.h"
+#include "ParameterTable.h"
 
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -41,7 +43,10 @@ CLI::Option* AddOption(CLI::App& command, const std::string& name, T& value)
       Describe(command.add_option(ParserNames(entry), value, entry.Description), entry);
     if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>)
     {
-      CLI::detail::lexical_cast(entry.Default, value);
+      if (!entry.Default.empty() && !CLI::detail::lexical_cast(entry.Default, value))
+      {
+        throw std::logic_error("the default of " + name + " is no value: " + entry.Default);
+      }
     }
     return option;
   }
@@ -49,8 +54,8 @@ CLI::Option* AddOption(CLI::App& command, const std::string& name, T& value)
 
 void AddThreadsOption(CLI::App& command, int& threads);
 
-/// Calls `keep` with the numbers that an option is given: for a switch, 1 or 0.
-void AddNumbers(CLI::App& command, const OptionEntry& entry, bool areIntegers,
+/// Calls `keep` with the numbers that an option is given: for a switch, which is Boolean, 1 or 0.
+void AddNumbers(CLI::App& command, const OptionEntry& entry, FlipFree::ParameterType type,
   const std::function<void(const std::vector<double>&)>& keep);
 
 /// Throws WrongUsage: the value is not in the parameter's range.
@@ -75,7 +80,7 @@ public:
         if (entry.Names.front() == OptionsOf(parameter.Name).front() &&
           !command.get_option_no_throw(entry.Names.front()))
         {
-          AddNumbers(command, entry, parameter.Type == FlipFree::ParameterType::Integer,
+          AddNumbers(command, entry, parameter.Type,
             [this, &parameter](const std::vector<double>& values)
             { this->Give(parameter, values); });
         }

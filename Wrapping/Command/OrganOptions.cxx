@@ -1,8 +1,8 @@
 #include "OrganOptions.h"
-#include "Options.h"
 
 #include "Coordinates.h"
 #include "Failure.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "SeedRadius.h"
 #include "SurfaceFile.h"

@@ -1,7 +1,7 @@
 #include "PointOptions.h"
-#include "Options.h"
 
 #include "Coordinates.h"
+#include "Options.h"
 #include "OutputFile.h"
 #include "PointText.h"
 

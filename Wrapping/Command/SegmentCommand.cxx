@@ -19,6 +19,9 @@
 #include "TableFile.h"
 #include "VolumeFile.h"
 
+#include "Deformation/SegmentationParameters.h"
+#include "ParameterTable.h"
+
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
 #include "vtkGMMFeatureFilter.h"
@@ -419,7 +422,10 @@ void AddSegmentCommand(CLI::App& program)
   AddOption(*command, "--ask", request->Asks);
   AddOption(*command, "--snapshot", request->Snapshot);
   AddOption(*command, "--save-session", request->SessionOut);
-  AddOption(*command, "--label-value", request->Label)->check(CLI::Range(1, 255));
+  const auto* const label =
+    FlipFree::FindParameter(FlipFree::SegmentationParameters(), "LabelValue");
+  AddOption(*command, "--label-value", request->Label)
+    ->check(CLI::Range(static_cast<int>(label->Minimum), static_cast<int>(label->Maximum)));
   AddThreadsOption(*command, request->Threads);
   AddOption(*command, "--quiet", request->Quiet);
   request->Corrections.AddOptions(*command);

@@ -3,6 +3,7 @@
 #include "Failure.h"
 
 #include "Deformation/SegmentationParameters.h"
+#include "Deformation/SegmentationSettings.h"
 #include "FilterSettings.h"
 
 #include "vtkFlipFreeSegmentation.h"

@@ -24,9 +24,11 @@ vtkSmartPointer<vtkFlipFreeVesselSegmentation> VesselFilterOf(const SessionOrgan
   std::vector<std::string> names;
   for (const auto& parameter : FlipFree::VesselParameters())
   {
-    names.push_back(parameter.Name);
+    if (parameter.Name != "LabelValue") // which changes no surface
+    {
+      names.push_back(parameter.Name);
+    }
   }
-  names.pop_back(); // LabelValue, which changes no surface
   FlipFree::VesselSegmentationSettings settings;
   for (const auto& [property, values] : vessel.Parameters)
   {

@@ -76,6 +76,8 @@ void Print(vtkTable* table)
 
 void MakeSurfaces(const SurfacesRequest& request)
 {
+  FlipFree::LabelSurfaceSettings settings;
+  request.Parameters.Apply(settings);
   if (request.Quiet)
   {
     ProgressBar::Disable();
@@ -98,8 +100,6 @@ void MakeSurfaces(const SurfacesRequest& request)
   {
     filter->AddLabel(label);
   }
-  FlipFree::LabelSurfaceSettings settings;
-  request.Parameters.Apply(settings);
   FlipFree::FilterSettings::Set(filter, settings);
   FlipFree::QuantityNames names = OptionNames(FlipFree::LabelSurfaceParameters());
   names["Labels"] = "--label";

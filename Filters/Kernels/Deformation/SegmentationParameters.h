@@ -21,14 +21,18 @@
   P(StartScale, double, S StartScale, 1e-3, 1e3, "F", "Radius of the first sphere, in seed radii", \
     "Start")                                                                                       \
   P(Resolution, int, S Method.Schedule.Resolution, 2, 256, "N",                                    \
-    "Vertices along an edge of each of the mesh's six sides, 6 N^2 in all")                        \
+    "Vertices along an edge of each of the mesh's six sides, 6 N^2 in all; rounded down to a "     \
+    "multiple of 2^(levels - 1)")                                                                  \
   P(Levels, int, S Method.Schedule.Levels, 1, 6, "N", "Levels from coarse to fine")                \
   P(MaximumIterations, int, S Method.Schedule.MaximumIterations, 0, 100000, "N",                   \
     "Maximum number of iterations at each level")                                                  \
   P(DistanceTolerance, double, S Method.Schedule.DistanceTolerance, 0, 1e6, "VOXELS",              \
-    "A level ends when the mean distance to the targets is below this", "Start")                   \
+    "A level ends when the mean distance to the targets is below this, in voxels of the greatest " \
+    "spacing",                                                                                     \
+    "Start")                                                                                       \
   P(ChangeTolerance, double, S Method.Schedule.ChangeTolerance, -1e6, 1e6, "VOXELS",               \
-    "A level ends when that distance changes by less over five iterations; negative: never",       \
+    "A level ends when that distance, in the same voxels, changes by less over five iterations; "  \
+    "negative: never",                                                                             \
     "Start")                                                                                       \
   P(LabelValue, int, S LabelValue, 1, 255, "N",                                                    \
     "Value of the organ in the label map, 1 to 255; of several, of the first", "Result")           \
@@ -64,12 +68,14 @@
     "contrast, and run again",                                                                     \
     "Feature")                                                                                     \
   P(Consensus, bool, S Consensus, false, true, "",                                                 \
-    "Where {Carving} changes much, grow the foreground again in other ways, and decide once more", \
+    "Where {Carving} changes much, grow the foreground again in other ways, and decide once "      \
+    "more; only with {Carving} and {LeakControl}",                                                 \
     "Feature")                                                                                     \
   P(ClosingRadius, double, S Leaks.ClosingRadius, 0, 1000, "MM",                                   \
     "Radius of the foreground's closing", "Feature")                                               \
   P(OpeningScale, double, S Leaks.OpeningScale, 0, 1000, "F",                                      \
-    "Radius of the foreground's opening, in seed radii; 0: none", "Feature")                       \
+    "Radius of the foreground's opening, in seed radii, clamped to 2.5 to 6 mm; 0: none",          \
+    "Feature")                                                                                     \
   P(Modality, FlipFree::Modality, S Modality, 0, 2, "N",                                           \
     "Scale of the gray values, for {Carving}; 0: automatic, 1: CT, 2: MR", "Feature")
 
@@ -77,7 +83,8 @@
   P(SearchDistance, double, S Correspondence.SearchDistance, 0, 1e6, "MM",                         \
     "Length of the search lines; 0: proportional to the radius")                                   \
   P(SearchScale, double, S SearchScale, 0, 1e6, "F",                                               \
-    "Length of the search lines in seed radii, if {SearchDistance} is 0", "Search")                \
+    "Length of the search lines in seed radii, clamped to 15 to 60 mm, if {SearchDistance} is 0",  \
+    "Search")                                                                                      \
   P(RunLength, double, S Correspondence.RunLength, 0, 1000, "MM",                                  \
     "Length of background that marks the boundary; 0: {RunVoxels} counts", "Search")               \
   P(RunVoxels, int, S Correspondence.RunVoxels, 1, 1000, "N",                                      \

@@ -18,8 +18,8 @@
     "surfaces are the label map")                                                                  \
   P(Distance, double, S Distance, FlipFree::MinimumWallDistance, FlipFree::MaximumWallDistance,    \
     "VOXELS",                                                                                      \
-    "How far surfaces may go along each axis to be smooth before voxels change sides, in "         \
-    "voxels")                                                                                      \
+    "Without {Exact}: how far surfaces may go along each axis to be smooth before voxels change "  \
+    "sides, in voxels")                                                                            \
   P(Iterations, int, S Iterations, 0, FlipFree::MaximumWallIterations, "N", "Of the smoothing")
 
 // NOLINTEND(bugprone-macro-parentheses)

@@ -7,17 +7,20 @@
 #include "LabelSurface/LabelSurfaceParameters.h"
 #include "Measures/ScoreParameters.h"
 #include "MessageText.h"
+#include "ParameterTable.h"
+#include "QuantityNames.h"
 #include "TextWords.h"
 #include "Vessel/VesselParameters.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <map>
 #include <regex>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -43,6 +46,7 @@ template <typename Settings>
 PropertyList ListOf(const ParameterTable<Settings>& table)
 {
   PropertyList list;
+  list.reserve(table.size());
   for (const Parameter<Settings>& parameter : table)
   {
     list.push_back({ parameter.Name, parameter.Type, parameter.Get(Settings()), parameter.Minimum,

@@ -35,14 +35,12 @@ nanobind::class_<Settings> BindSettings(nanobind::module_& module, const char* n
 {
   const auto find = [table](const std::string& wanted) -> const Parameter<Settings>&
   {
-    for (const Parameter<Settings>& parameter : table())
+    const Parameter<Settings>* const parameter = FindParameter(table(), wanted);
+    if (!parameter)
     {
-      if (parameter.Name == wanted)
-      {
-        return parameter;
-      }
+      throw std::out_of_range(wanted);
     }
-    throw std::out_of_range(wanted);
+    return *parameter;
   };
   return nanobind::class_<Settings>(module, name)
     .def_static("parameters",

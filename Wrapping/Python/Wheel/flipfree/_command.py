@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import select
 import signal
 import sys
 import warnings
@@ -47,12 +48,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except MemoryError:
             _complain("error", "Out of memory. Crop the volume, or use a machine with more memory.")
             status = FAILURE
-        except BrokenPipeError:
-            _discard_output()
-            status = NOBODY_READS
         except OSError as error:
-            _complain("error", f"Writing failed ({error.strerror or error}).")
-            status = FAILURE
+            if isinstance(error, BrokenPipeError) and _nobody_reads():
+                _discard_output()
+                status = NOBODY_READS
+            else:
+                _complain("error", f"Writing failed ({error.strerror or error}).")
+                status = FAILURE
         except KeyboardInterrupt:
             status = INTERRUPTED
     return status
@@ -69,6 +71,14 @@ def _open_standard_streams() -> None:
         sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
     if sys.stderr is None:
         sys.stderr = open(2, "w", encoding="utf-8", closefd=False)
+
+
+def _nobody_reads() -> bool:
+    """Whether a standard stream is a pipe that is broken; pipes of other files may be, too."""
+    streams = select.poll()
+    for number in (1, 2):
+        streams.register(number, select.POLLOUT)
+    return any(event & (select.POLLERR | select.POLLHUP) for _, event in streams.poll(0))
 
 
 def _discard_output() -> None:
