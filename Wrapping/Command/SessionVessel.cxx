@@ -34,10 +34,9 @@ vtkSmartPointer<vtkFlipFreeVesselSegmentation> VesselFilterOf(const SessionOrgan
   {
     if (std::find(names.begin(), names.end(), property) == names.end())
     {
-      const std::string last = names.back();
-      names.pop_back();
-      throw Failure("there is no parameter '" + property + "' of a vessel; there are " +
-        Joined(names, ", ") + " and " + last);
+      names.back().insert(0, "and ");
+      throw Failure(
+        "there is no parameter '" + property + "' of a vessel; there are " + Joined(names, ", "));
     }
     if (values.size() != 1 ||
       !FlipFree::FindParameter(FlipFree::VesselParameters(), property)->Take(settings, values))
