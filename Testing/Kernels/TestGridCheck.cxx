@@ -39,6 +39,10 @@ TEST(GridCheck, OfVoxelsOnThreeAxes)
   EXPECT_EQ(RefusalOf(geometry), "");
   geometry.Spacing[2] = 0;
   EXPECT_EQ(RefusalOf(geometry).find("it has a spacing of (1, 2, 0) mm"), 0U);
+  geometry.Spacing[2] = 1.9e-9; // within 5 mm, more voxels than an int counts
+  EXPECT_EQ(RefusalOf(geometry).find("it has a spacing of (1, 2, 1.9e-09) mm"), 0U);
+  geometry.Spacing[2] = LeastSpacing;
+  EXPECT_EQ(RefusalOf(geometry), "");
   geometry = CheckedGrid();
   geometry.Origin[0] = std::numeric_limits<double>::infinity();
   EXPECT_NE(RefusalOf(geometry).find("an origin that is not finite"), std::string::npos);

@@ -21,7 +21,6 @@ namespace FlipFree
   const std::string& what);
 
 constexpr double GreatestLength = 1e9; ///< mm, of which squares fit in single precision
-constexpr double LeastSpacing = 1e-9;  ///< mm
 
 /// Whether it can be a length or a coordinate in millimeters.
 bool IsLength(double value);

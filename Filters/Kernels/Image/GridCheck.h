@@ -19,14 +19,18 @@ namespace FlipFree
 /// searched within some millimeters has no bound in voxels.
 constexpr double LeastDeterminant = 0.01;
 
+/// Millimeters. No voxel of an organ is smaller, and lengths divided by a smaller spacing overflow.
+constexpr double LeastSpacing = 1e-5;
+
 /// Throws Error, naming the image by `name`, unless its voxels lie apart on three independent axes.
 inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& name)
 {
-  if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
+  if (!(geometry.Spacing.minCoeff() >= LeastSpacing) || !geometry.Spacing.allFinite())
   {
     throw Error(ErrorCode::InvalidGeometry,
       name + " has a spacing of " + TextOf(geometry.Spacing) +
-        " mm; make it positive on every axis, and turn axes by the direction matrix");
+        " mm; make it positive on every axis, at least " + TextOf(LeastSpacing) +
+        ", and turn axes by the direction matrix");
   }
   if (!(std::abs(geometry.Direction.determinant()) > LeastDeterminant) ||
     !geometry.Direction.allFinite() || !geometry.Origin.allFinite())
