@@ -154,6 +154,12 @@ TEST(NrrdHeader, SpacingsAlongTheAxesOfASpace)
     "spacings is negative, but a spacing must be positive");
 }
 
+TEST(NrrdHeader, DirectionsWithoutLengthAreRefused)
+{
+  ExpectNrrdRefusal(NrrdFile("space: LPS\nspace directions: (1,0,0) (0,1.9e-9,0) (0,0,2)\n"),
+    "spacing (1, 1.9e-09, 2)");
+}
+
 TEST(NrrdHeader, BoundsOfAxesAreRefused)
 {
   ExpectNrrdRefusal(NrrdFile("spacings: 2 1.5 3\naxis mins: 0 0 7"), "axis mins places");

@@ -152,6 +152,7 @@ ImageGeometry GridOfSteps(const std::string& file, const std::array<int, 3>& siz
   grid.Spacing = steps.colwise().norm();
   grid.Direction = (steps * grid.Spacing.cwiseInverse().asDiagonal()).array() + 0.0;
   if (!grid.Origin.allFinite() || !grid.Direction.allFinite() ||
+    grid.Spacing.minCoeff() < LeastSpacing ||
     std::abs(grid.Direction.determinant()) < LeastDeterminant)
   {
     throw FileProblem(FileProblem::Kind::Unusable,
