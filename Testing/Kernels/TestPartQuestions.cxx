@@ -47,18 +47,19 @@ std::vector<double> PlacesOf(const std::vector<DoubtfulPart>& parts)
 
 } // namespace
 
-TEST(PartQuestions, AreSortedByVolumeTimesDoubt)
+TEST(PartQuestions, AreSortedBySizeTimesDoubt)
 {
   EXPECT_TRUE(Asked({}).empty());
   EXPECT_EQ(PlacesOf(Asked({ Part(10, 2, 1), Part(50, 8, 1), Part(90, 4, 1) })),
     (std::vector<double>{ 50, 90, 10 })); // by volume, where margins are equal
   EXPECT_EQ(PlacesOf(Asked({ Part(10, 4, 3), Part(50, 4, 0), Part(90, 4, 1) })),
     (std::vector<double>{ 50, 90, 10 })); // the least margin first, where volumes are equal
-  // exp(margin / 1.75) = 3: 1 of 4 is to be wrong, and without a margin 1 of 2.
+  // exp(margin / 1.75) = 3: 1 of 4 is to be wrong, and without a margin 1 of 2. Size counts by the
+  // square root of the volume.
   const double margin = 1.75 * std::log(3.0);
-  EXPECT_EQ(PlacesOf(Asked({ Part(10, 7.9, margin), Part(90, 4, 0) })),
+  EXPECT_EQ(PlacesOf(Asked({ Part(10, 15.8, margin), Part(90, 4, 0) })),
     (std::vector<double>{ 90, 10 }));
-  EXPECT_EQ(PlacesOf(Asked({ Part(10, 8.1, margin), Part(90, 4, 0) })),
+  EXPECT_EQ(PlacesOf(Asked({ Part(10, 16.2, margin), Part(90, 4, 0) })),
     (std::vector<double>{ 10, 90 }));
 }
 

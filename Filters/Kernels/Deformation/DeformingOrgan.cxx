@@ -116,6 +116,11 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
     return false;
   }
   this->Candidate = std::move(carved.Candidate);
+  this->SettleForeground(std::move(carved.Mask));
+  if (!this->CorrectForeground(DecideLikelier(this->Others), monitor))
+  {
+    return false;
+  }
   this->Surface.Carving = std::move(carved.Report);
   // Of doubts about the same part, the last one counts: so the surest come first, and the cut's
   // remain last.
@@ -124,7 +129,6 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   {
     doubts.insert(doubts.begin(), other.Doubt);
   }
-  this->SettleForeground(std::move(carved.Mask));
   return true;
 }
 

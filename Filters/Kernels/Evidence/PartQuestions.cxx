@@ -48,7 +48,7 @@ std::vector<DoubtfulPart> QuestionsOf(const std::vector<DoubtfulPart>& doubts,
                     { return IsAnswered(part, constraints); }),
     questions.end());
   const auto worth = [&settings](const DoubtfulPart& part)
-  { return part.Volume / (1 + std::exp(part.Margin / settings.MarginScale)); };
+  { return std::sqrt(part.Volume) / (1 + std::exp(part.Margin / settings.MarginScale)); };
   std::stable_sort(questions.begin(), questions.end(),
     [&worth](const DoubtfulPart& one, const DoubtfulPart& other)
     { return worth(one) > worth(other); });

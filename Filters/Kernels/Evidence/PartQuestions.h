@@ -8,7 +8,8 @@
  * more. An inside point, an outside point or a further seed in the neighborhood has answered a
  * part.
  *
- * Parts are sorted by what an answer is worth, their volume times their doubt. Doubt is the chance
+ * Parts are sorted by what an answer is worth, the square root of their volume times their doubt:
+ * with the volume itself, first questions were about large parts that are hardly in doubt. Doubt is the chance
  * that the contrary is true, 1 / (1 + exp(margin / MarginScale)). A cut's costs are logarithms of
  * likelihoods, so the difference of two is the logarithm of the odds, up to a scale: without any
  * margin, the odds are even. Of the parts that were cut off at first in 115 organs, 4 of 11 below a
