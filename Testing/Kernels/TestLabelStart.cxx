@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 using namespace FlipFree;
 
 namespace
@@ -59,7 +61,9 @@ public:
         this->Voxels.push_back(normal(random));
         this->Labels.push_back(mask(i, j, k) ? 1.0F : 0.0F);
       });
-    this->Session.FillLabel(
+    this->Session = std::make_unique<OrganSession>(
+      GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }), "it", Threading());
+    this->Session->FillLabel(
       LabelVolumeOf(ImageView<float>{ this->Labels.data(), this->Geometry }, "the labels", {}), 1);
   }
 
@@ -67,14 +71,13 @@ public:
   {
     OrganRequest request;
     request.Constraints = constraints;
-    return this->Session.Segment(request, NeverStop, nullptr).Result;
+    return this->Session->Segment(request, NeverStop, nullptr).Result;
   }
 
   const ImageGeometry Geometry = GridOfPieces();
   std::vector<float> Voxels;
   std::vector<float> Labels;
-  OrganSession Session{ GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }), "it",
-    {} };
+  std::unique_ptr<OrganSession> Session; // of the voxels, once there are any
 };
 
 } // namespace
@@ -151,7 +154,7 @@ TEST(LabelStart, AndAStartSurfaceExcludeEachOther)
 {
   FilledPieces pieces;
   const DeformableSurface sphere = MakeStartSphere(4, { 30, 30, 30 }, 5);
-  pieces.Session.StartFrom({ "the start surface", sphere.Points, sphere.Mesh.Faces });
+  pieces.Session->StartFrom({ "the start surface", sphere.Points, sphere.Mesh.Faces });
   try
   {
     pieces.Fill({});
