@@ -90,6 +90,7 @@ void FillWalls(const FlipFree::LabelSurfaces& surfaces, vtkPolyData* walls)
   walls->GetCellData()->AddArray(labels);
   FlipFree::AddFieldValues("WrongVoxels", { static_cast<double>(surfaces.WrongVoxels) }, walls);
   FlipFree::AddFieldValues("GreatestDistance", { surfaces.GreatestDistance }, walls);
+  FlipFree::AddFieldValues("CollapseDistance", { surfaces.CollapseDistance }, walls);
 }
 
 void FillSurfaces(const FlipFree::LabelSurfaces& surfaces, const LabelNames& names,
@@ -211,6 +212,7 @@ int vtkFlipFreeLabelSurfaces::RequestData(vtkInformation*, vtkInformationVector*
   this->SetErrorCode(vtkErrorCode::NoError);
   this->NumberOfWrongVoxels = 0;
   this->GreatestDistance = 0;
+  this->CollapseDistance = 0;
   for (int port = 0; port < 3; ++port)
   {
     vtkDataObject::GetData(outputs, port)->Initialize();
@@ -233,6 +235,7 @@ int vtkFlipFreeLabelSurfaces::RequestData(vtkInformation*, vtkInformationVector*
     }
     this->NumberOfWrongVoxels = static_cast<vtkIdType>(surfaces.WrongVoxels);
     this->GreatestDistance = surfaces.GreatestDistance;
+    this->CollapseDistance = surfaces.CollapseDistance;
     const LabelNames names = NamesIn(image);
     FillWalls(surfaces, vtkPolyData::GetData(outputs, 0));
     FillSurfaces(surfaces, names, vtkMultiBlockDataSet::GetData(outputs, 1));
@@ -262,6 +265,7 @@ void vtkFlipFreeLabelSurfaces::PrintSelf(ostream& os, vtkIndent indent)
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
   os << indent << "NumberOfWrongVoxels: " << this->NumberOfWrongVoxels << "\n";
   os << indent << "GreatestDistance: " << this->GreatestDistance << "\n";
+  os << indent << "CollapseDistance: " << this->CollapseDistance << "\n";
 }
 
 #undef PROPERTIES

@@ -15,11 +15,18 @@
  * touch only by an edge or a corner. WrongVoxels says how many there are. Either way, volumes are
  * those of the voxels, as far as the bounds allow.
  *
+ * SmallestPart and FillCavities, both off by default, take parts away before: small ones of labels,
+ * and background that labels enclose. What goes takes the label with which it has the most faces of
+ * voxels in common, or background, if that is it: so there is still one wall between two labels,
+ * and all else is as if the label map had come like that. Its voxels count as wrong ones.
+ *
  * Where labels touch only by an edge or a corner of voxels, they are joined if most of the eight
  * voxels there are theirs, and apart if not.
  *
  * The mesh is that of surface nets (S. Gibson, Constrained elastic surface nets, 1998): a vertex
- * where voxels of different labels meet.
+ * where voxels of different labels meet. EdgeLength and Triangles make it coarser, by collapses of
+ * edges of which each is certified: what is connected stays so, walls remain shared and apart from
+ * each other, and none moves by more than Tolerance, or, with Exact on, over a voxel center.
  *
  * Input port 0: vtkImageData, the label map: scalars of any type with one component, whole numbers
  * from 0, which is background, to 2147483647. Its field data `SegmentLabels` (numbers) and
@@ -28,10 +35,10 @@
  * Output port 0: vtkPolyData, all walls, as triangles. Cell data `BoundaryLabels`, int, two
  * components: the labels on both sides. Triangles are counter-clockwise seen from the second; that
  * is background, or else the greater one. Points are float. Field data (double): `WrongVoxels`,
- * `GreatestDistance` and `Certified` (1).
+ * `GreatestDistance`, `CollapseDistance` and `Certified` (1).
  * Output port 1: vtkMultiBlockDataSet, a vtkPolyData for each label, ascending, under its name or
- * else its number: closed, counter-clockwise seen from outside. Field data: `Label` (double) and
- * `Certified` (1).
+ * else its number: closed, counter-clockwise seen from outside; empty if no part of the label is
+ * left. Field data: `Label` (double) and `Certified` (1).
  * Output port 2: vtkTable, a row per label: Label, Name (empty where it has none), Milliliters
  * (inside), Voxels, VoxelMilliliters (of the voxels), WrongVoxels (whose center is inside but has
  * another label, or the reverse), Area (square millimeters), EulerNumber (2 for each piece, less 2
@@ -40,8 +47,8 @@
  * Errors, with a code of FlipFreeErrorCode.h and with empty outputs: an image without voxels,
  * scalars of one component or a proper grid; a voxel that is negative or no whole number; no
  * labels, more than 100,000 of them, or none of a value that AddLabel() asks for; voxels so small,
- * so far from the origin, that single precision cannot hold the surfaces; a Distance that
- * is not a number.
+ * so far from the origin, that single precision cannot hold the surfaces; no part of any label that
+ * is as large as SmallestPart; a property that is not a number.
  *
  * @sa vtkFlipFreeSegmentation, vtkSurfaceToLabelMap, vtkSurfaceNets3D
  */
@@ -110,6 +117,47 @@ public:
 
   ///@{
   /**
+   * Parts of labels that are smaller get no surface. A part is what is connected of a label across
+   * faces of voxels, and where labels that touch by an edge or a corner are joined. Cubic
+   * millimeters; default 0, which keeps all, 0 to 10^9.
+   */
+  void SetSmallestPart(double value);
+  double GetSmallestPart() const;
+  ///@}
+
+  ///@{
+  /**
+   * Fill background that labels enclose. Default off.
+   */
+  void SetFillCavities(bool value);
+  bool GetFillCavities() const;
+  vtkBooleanMacro(FillCavities, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Fewer triangles: collapse edges while none becomes longer than EdgeLength (millimeters), and
+   * while there are more than Triangles, of all walls. Both are 0 by default: EdgeLength 0 to 10^6
+   * and Triangles 0 to 2147483647, of which 0 sets no limit, and both 0 collapse none. An edge that
+   * would take walls beyond the tolerance, or into each other, stays.
+   */
+  void SetEdgeLength(double value);
+  double GetEdgeLength() const;
+  void SetTriangles(int value);
+  int GetTriangles() const;
+  ///@}
+
+  ///@{
+  /**
+   * How far walls may move where edges are collapsed. Voxels of the smallest spacing; default 0.5,
+   * 0 to 10. With Exact on, each voxel center stays on its side as well.
+   */
+  void SetTolerance(double value);
+  double GetTolerance() const;
+  ///@}
+
+  ///@{
+  /**
    * Output ports 1 and 2.
    */
   vtkMultiBlockDataSet* GetSurfaces();
@@ -125,6 +173,15 @@ public:
   vtkGetMacro(GreatestDistance, double);
   ///@}
 
+  ///@{
+  /**
+   * Of the last update: the greatest distance (mm) between the walls before and after edges were
+   * collapsed, of all vertices and of the middles of the edges and triangles that are left. 0
+   * where none were.
+   */
+  vtkGetMacro(CollapseDistance, double);
+  ///@}
+
 protected:
   vtkFlipFreeLabelSurfaces();
   ~vtkFlipFreeLabelSurfaces() override;
@@ -136,6 +193,7 @@ protected:
 
   vtkIdType NumberOfWrongVoxels = 0;
   double GreatestDistance = 0;
+  double CollapseDistance = 0;
 
 private:
   friend class FlipFree::FilterSettings;

@@ -41,10 +41,12 @@
  *
  * Input port 3, optional: vtkImageData, a label map with the voxels of the image (up to a tenth of
  * the least spacing), cropped or not and with its axes in any order, from a network, an atlas, or
- * an earlier result. The surface then fills its voxels of the value StartLabel, or the
- * part of them that is connected to the largest ball in them, in place of a foreground found in the
- * image; that ball takes the place of the seed, so SeedCenter and SeedRadius are not used. Points
- * on port 2 correct it like any other result.
+ * an earlier result. The surface is then that of its voxels of the value StartLabel, of any number
+ * of pieces, tunnels and cavities, as vtkFlipFreeLabelSurfaces makes it where it is exact: of
+ * triangles, with the center of each voxel on its side. Nothing is searched for in the image. The
+ * largest ball in the voxels takes the place of the seed, so SeedCenter and SeedRadius are not
+ * used, nor are resolution and levels. Points on port 2 correct the voxels, as they do a foreground
+ * found in the image, and the surface obeys them; where they change no voxel, none changes sides.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted), `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping) and
@@ -72,8 +74,8 @@
  * - Constraint, which the error names: outside the image, where there is no data (unless it is an
  *   outside point), contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
- * - Start labels: with other voxels than the image's, without voxels of StartLabel, or nowhere
- * thicker than two voxels.
+ * - Start labels: with other voxels than the image's, without voxels of StartLabel, or given
+ *   together with a start surface.
  * - A property that is NaN.
  *
  * Warnings, which still give a result:
@@ -84,8 +86,7 @@
  * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
  *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies
  *   at the image's border along two axes.
- * - Start labels: the surface misses more than a twentieth of their voxels, or, without
- * constraints, adds more than a tenth to them; some of them lie outside the image.
+ * - Start labels: some of them lie outside the image.
  * - If none of these applies: the confidence is below 0.85, or a question has a margin below 2.1
  *   and is about more than 6.5 % of the organ's volume. The warning asks the first such question.
  *   Without one, look at the contour where its confidence is low, and correct it there by points.

@@ -8,7 +8,7 @@
 //
 // With --seeds N each row is run from N random seeds in the organ, at least their radius away from
 // its border, and the spread of the Dice score is printed. With --fill the surface fills the
-// reference itself, in place of a foreground found in the image: how well a mesh can hold it. With
+// reference itself, in place of a foreground found in the image: its surface. With
 // --gate, results are compared with a table of earlier ones (AccuracyGate.h), and the exit code is
 // 1 where too much is lost. --cases may be given more than once.
 #include "AccuracyGate.h"

@@ -1,6 +1,7 @@
-// The surfaces of the labels of label maps, exact and smooth, and beside them those of the usual
-// chain, as 3D Slicer has it: vtkDiscreteFlyingEdges3D and vtkWindowedSincPolyDataFilter, a label
-// at a time.
+// The surfaces of the labels of label maps, exact and smooth, both also as coarse as the tolerance
+// allows, and exact ones of parts of at least 100 mm3 without cavities; beside them those of the
+// usual chain, as 3D Slicer has it: vtkDiscreteFlyingEdges3D and vtkWindowedSincPolyDataFilter, a
+// label at a time.
 //
 //   MeasureLabelSurfaces [--folder DIR] LABELS ...
 //
@@ -12,6 +13,7 @@
 //   rough      angle between the normals of neighboring triangles, degrees: root of the mean
 //              square, and median, over all labels
 //   volume     greatest deviation of labels of more than 1,000 voxels, percent
+//   collapse   greatest distance to the walls before edges were collapsed, mm
 //   seconds    in memory, without files; memory is the peak above that of the label map
 #include "CaseList.h"
 #include "FindWithCGAL.h"
@@ -47,16 +49,31 @@ namespace
 
 using Surfaces = std::map<int, vtkSmartPointer<vtkPolyData>>;
 
-Surfaces ByFlipFree(vtkImageData* labels, bool exact)
+enum class Mode
+{
+  Fine,
+  Coarse,
+  LargeParts
+};
+
+Surfaces ByFlipFree(vtkImageData* labels, bool exact, Mode mode, double& collapse)
 {
   vtkNew<vtkFlipFreeLabelSurfaces> filter;
   filter->SetInputData(labels);
   filter->SetExact(exact);
+  filter->SetTriangles(mode == Mode::Coarse ? 1 : 0);
+  filter->SetSmallestPart(mode == Mode::LargeParts ? 100 : 0);
+  filter->SetFillCavities(mode == Mode::LargeParts);
   filter->Update();
+  collapse = filter->GetCollapseDistance();
   Surfaces surfaces;
   for (unsigned int block = 0; block < filter->GetSurfaces()->GetNumberOfBlocks(); ++block)
   {
     auto* const surface = vtkPolyData::SafeDownCast(filter->GetSurfaces()->GetBlock(block));
+    if (surface->GetNumberOfPolys() == 0)
+    {
+      continue; // no part is large enough
+    }
     surfaces[static_cast<int>(surface->GetFieldData()->GetArray("Label")->GetTuple1(0))] = surface;
   }
   return surfaces;
@@ -203,10 +220,16 @@ void Measure(const std::string& file, const std::string& folder)
     }
   }
   const std::string name = std::filesystem::path(file).stem().stem().string();
-  for (const Way& way : { Way{ "exact", [&] { return ByFlipFree(labels, true); } },
-         Way{ "smooth", [&] { return ByFlipFree(labels, false); } },
-         Way{ "usual chain", [&] { return ByUsualChain(labels, voxels); } } })
+  double collapse = 0;
+  const auto ours = [&](bool exact, Mode mode)
+  { return [&, exact, mode] { return ByFlipFree(labels, exact, mode, collapse); }; };
+  for (const Way& way :
+    { Way{ "exact", ours(true, Mode::Fine) }, Way{ "exact, coarse", ours(true, Mode::Coarse) },
+      Way{ "exact, large parts", ours(true, Mode::LargeParts) },
+      Way{ "smooth", ours(false, Mode::Fine) }, Way{ "smooth, coarse", ours(false, Mode::Coarse) },
+      Way{ "usual chain", [&] { return ByUsualChain(labels, voxels); } } })
   {
+    collapse = 0;
     const double before = ResetPeakMemory();
     FlipFree::Stopwatch watch;
     const Surfaces surfaces = way.Make();
@@ -252,10 +275,11 @@ void Measure(const std::string& file, const std::string& folder)
     }
     std::nth_element(angles.begin(),
       angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2), angles.end());
-    std::printf("| %s | %s | %zu | %zu | %d | %s | %.1f, %.1f | %.2f | %.2f | %.0f |\n",
+    std::printf("| %s | %s | %zu | %zu | %d | %s | %.1f, %.1f | %.2f | %.2f | %.2f | %.0f |\n",
       name.c_str(), way.Name, voxels.size(), triangles, invalid, differing.c_str(),
       std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, angles.size()))),
-      angles.empty() ? 0.0 : angles[angles.size() / 2], deviation, seconds, memory / (1 << 20));
+      angles.empty() ? 0.0 : angles[angles.size() / 2], deviation, collapse, seconds,
+      memory / (1 << 20));
     std::fflush(stdout);
   }
 }
@@ -270,8 +294,9 @@ int main(int argc, char* argv[])
   app.add_option("--folder", folder, "where files are written")->capture_default_str();
   app.add_option("labels", files, "label maps")->required();
   CLI11_PARSE(app, argc, argv);
-  std::puts("| label map | way | labels | triangles | invalid | differing | rough | volume, % | "
-            "seconds | memory, MiB |\n|---|---|---|---|---|---|---|---|---|---|");
+  std::puts(
+    "| label map | way | labels | triangles | invalid | differing | rough | volume, % | "
+    "collapse, mm | seconds | memory, MiB |\n|---|---|---|---|---|---|---|---|---|---|---|");
   try
   {
     for (const std::string& file : files)

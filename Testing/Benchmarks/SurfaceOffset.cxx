@@ -1,7 +1,7 @@
 #include "SurfaceOffset.h"
 
 #include "LabelAdapter.h"
-#include "Measures/LabelSurface.h"
+#include "Measures/MaskSurface.h"
 #include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
 
@@ -17,7 +17,7 @@ namespace
 
 constexpr double FARTHEST = 5; // mm
 
-vtkNew<vtkPolyData> PolyDataOf(const FlipFree::LabelSurface& surface)
+vtkNew<vtkPolyData> PolyDataOf(const FlipFree::MaskSurface& surface)
 {
   vtkNew<vtkPolyData> data;
   data->SetPoints(FlipFree::MakePoints(surface.Points));

@@ -87,6 +87,30 @@ class TestSurfaces(command.CommandTest):
         self.assert_succeeds(process)
         self.assertRegex(process.stdout, r"\n\d+ voxels on the wrong side; vertices lie at most [\d.]+ mm from the corners")
 
+    def test_fewer_triangles_and_parts_are_told(self):
+        voxels = three_labels()
+        voxels[SIZE[0] + 1] = 4  # a speck of 2 mm3
+        voxels[6 + SIZE[0] * (6 + SIZE[1] * 4)] = 0  # a cavity
+        write_nifti(self.labels, voxels)
+        self.assert_succeeds(command.run("surfaces", self.labels, "-o", self.folder, "--exact", "-q"))
+        fine = self.table()
+        self.assertEqual([row["EulerNumber"] for row in fine], ["4", "2", "2", "2"])
+        process = command.run("surfaces", self.labels, "-o", self.result("other"), "--exact", "--edge-length", 6,
+                              "--smallest-part", 3, "--fill-cavities")
+        self.assert_succeeds(process)
+        self.assertIn("2 voxels on the wrong side", process.stdout)
+        self.assertRegex(process.stdout, r"\n\d+ triangles; walls lie at most 0\.\d+ mm from where they were before")
+        self.folder = self.result("other")
+        rows = self.table()
+        self.assertEqual(self.files(), ["1.stl", "2.stl", "3.stl", "surfaces.csv"])
+        self.assertEqual([(row["EulerNumber"], row["WrongVoxels"], row["File"]) for row in rows],
+                         [("2", "1", "1.stl"), ("2", "0", "2.stl"), ("2", "0", "3.stl"), ("0", "1", "")])
+        for before, after in zip(fine[:3], rows):
+            self.assertLess(int(after["Triangles"]), int(before["Triangles"]) / 2)
+            scores = command.run("evaluate", os.path.join(self.folder, after["File"]), self.labels, "--reference-label",
+                                 after["Label"], "--voxelize")
+            self.assertRegex(scores.stdout, r"surface +valid: closed, .* self-intersections 0")
+
     def test_names_come_from_nifti(self):
         write_nifti(self.labels, three_labels(), {1: "left kidney", 3: "liver & more"})
         self.assert_succeeds(command.run("surfaces", self.labels, "-o", self.folder, "-q"))
@@ -129,6 +153,8 @@ class TestSurfaces(command.CommandTest):
                           "the label map has no voxel with label 9; change --label")
         self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--exact", "--distance", 0.7), "--distance")
         self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--distance", 2), "--distance")
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder, "--smallest-part", 1e6),
+                          "no part of any label has 1e+06 mm3; lower --smallest-part")
         self.assert_fails(command.run("surfaces", self.labels), "--output")
         self.assert_fails(command.run("surfaces", self.labels + "x", "-o", self.folder), "labels.nii.gzx")
         self.assert_fails(command.run("surfaces", self.labels, "-o", self.labels), "cannot be created")

@@ -147,6 +147,36 @@ TEST(LabelSurfacesFilter, GivesWhatTheKernelDoes)
   }
 }
 
+TEST(LabelSurfacesFilter, LeavesPartsOutAndCollapsesEdges)
+{
+  const auto image = ThreeLabels();
+  int extent[6];
+  image->GetExtent(extent);
+  image->SetScalarComponentFromDouble(extent[0], extent[2], extent[4], 0, 9); // of 1.28 mm3
+  vtkNew<vtkFlipFreeLabelSurfaces> filter;
+  filter->SetInputData(image);
+  filter->ExactOn();
+  filter->Update();
+  const vtkIdType fine = filter->GetOutput()->GetNumberOfPolys();
+  EXPECT_EQ(filter->GetCollapseDistance(), 0);
+  filter->SetSmallestPart(2);
+  filter->FillCavitiesOn();
+  filter->SetTriangles(1);
+  filter->SetTolerance(0.75);
+  filter->Update();
+  EXPECT_LT(5 * filter->GetOutput()->GetNumberOfPolys(), fine);
+  EXPECT_EQ(filter->GetNumberOfWrongVoxels(), 1);
+  EXPECT_GT(filter->GetCollapseDistance(), 0);
+  EXPECT_LE(filter->GetCollapseDistance(), 0.75 * 0.8);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("CollapseDistance")->GetTuple1(0),
+    filter->GetCollapseDistance());
+  ASSERT_EQ(filter->GetSurfaces()->GetNumberOfBlocks(), 4U);
+  EXPECT_EQ(NameAt(filter, 2), "9");
+  EXPECT_EQ(SurfaceAt(filter, 2)->GetNumberOfPolys(), 0);
+  EXPECT_EQ(SurfaceAt(filter, 2)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetTable()->GetValueByName(2, "Triangles").ToInt(), 0);
+}
+
 TEST(LabelSurfacesFilter, NamesLabelsAsTheImageDoes)
 {
   const auto image = ThreeLabels();

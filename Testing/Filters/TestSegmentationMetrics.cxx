@@ -3,7 +3,7 @@
 #include "ExamplePolyData.h"
 #include "FilterErrors.h"
 #include "LabelAdapter.h"
-#include "Measures/LabelSurface.h"
+#include "Measures/MaskSurface.h"
 #include "Mesh/SurfaceVoxelization.h"
 #include "ProgressWatch.h"
 
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkSegmentationMetrics> Scores(vtkDataObject* segmentation, vtkI
 
 } // namespace
 
-TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
+TEST(MaskSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
 {
   for (const auto& [name, direction] : ExampleDirections())
   {
@@ -78,7 +78,7 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
     {
       mask.InsertRun(3, 7, 1 + row % 3, row / 3);
     }
-    const LabelSurface surface = SurfaceOf(mask);
+    const MaskSurface surface = SurfaceOf(mask);
     EXPECT_NO_THROW(
       RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "it"));
     double greatest = 0;
@@ -98,7 +98,7 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
 }
 
 // Up to where each triangle begins, and the order of all.
-TEST(LabelSurface, HasTheTrianglesOfVTKsFlyingEdges)
+TEST(MaskSurface, HasTheTrianglesOfVTKsFlyingEdges)
 {
   std::mt19937 random(3);
   for (const double part : { 0.15, 0.5, 0.85 })
@@ -123,7 +123,7 @@ TEST(LabelSurface, HasTheTrianglesOfVTKsFlyingEdges)
     contour->SetInputData(image);
     contour->SetValue(0, 1);
     contour->Update();
-    const LabelSurface surface = SurfaceOf(LabelVolumeOf(image, "it").MaskOf(1));
+    const MaskSurface surface = SurfaceOf(LabelVolumeOf(image, "it").MaskOf(1));
     using Corners = std::multiset<std::array<double, 9>>;
     const auto cornersOf = [](const PointList& points, const TriangleList& triangles)
     {

@@ -1,4 +1,5 @@
 #include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
 #include "Image/MinimumCut.h"
 
 #include <gtest/gtest.h>

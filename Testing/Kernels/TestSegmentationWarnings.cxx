@@ -34,28 +34,6 @@ std::string WarningFor(const FloatImage& image, double radius)
   return WarningOfMixedSeed(image.View(), { Eigen::Vector3d::Constant(20), radius });
 }
 
-BitMask MaskOfBall(double radius)
-{
-  BitMask mask(Grid({ { 40, 40, 40 } }, { 2, 2, 2 }));
-  for (const std::size_t voxel :
-    VoxelsInSphere(mask.GetGeometry(), { Eigen::Vector3d::Constant(40), radius }))
-  {
-    const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
-    mask.Insert(index[0], index[1], index[2]);
-  }
-  return mask;
-}
-
-std::vector<std::string> WarningsOfFilling(const BitMask& labels, double radius, bool isFree)
-{
-  std::vector<VoxelRun> runs;
-  MaskOfBall(radius).ForEachRun(0, 40,
-    [&runs](int begin, int end, int j, int k) {
-      runs.push_back({ j, k, begin, end });
-    });
-  return FlipFree::WarningsOfFilling(labels, runs, "the labels", isFree);
-}
-
 } // namespace
 
 TEST(SegmentationWarnings, ASeedThatReachesOutOfTheOrganIsNoticed)
@@ -97,30 +75,6 @@ TEST(SegmentationWarnings, OfAFewVoxelsTheScatterIsChance)
   image.Geometry.Spacing = { 4, 4, 4 };
   const Eigen::Vector3d rim(4 * 20, 4 * 20, 4 * 29.5);
   EXPECT_EQ(WarningOfMixedSeed(image.View(), { rim, 11 }), "");
-}
-
-TEST(SegmentationWarnings, ASurfaceThatEnclosesMuchMoreThanItsLabelsIsNoticed)
-{
-  EXPECT_TRUE(WarningsOfFilling(MaskOfBall(20), 20.5, true).empty());
-  BitMask hollow = MaskOfBall(20);
-  hollow.Remove(MaskOfBall(16));
-  const std::vector<std::string> warnings = WarningsOfFilling(hollow, 20, true);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0].find("The surface encloses 33.4 ml, but the labels have 16.5 ml. "), 0U)
-    << warnings[0];
-  // Inside points ask for more.
-  EXPECT_TRUE(WarningsOfFilling(hollow, 20, false).empty());
-  // What is missed does not make up for what is added.
-  BitMask beside = MaskOfBall(20);
-  beside.Remove(hollow);
-  for (int k = 0; k < 8; ++k)
-  {
-    for (int j = 0; j < 40; ++j)
-    {
-      beside.InsertRun(0, 10, j, k);
-    }
-  }
-  EXPECT_EQ(WarningsOfFilling(beside, 20, true).size(), 2U);
 }
 
 // The first question is the remedy, in each front end's way of giving points.

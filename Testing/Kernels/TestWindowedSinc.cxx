@@ -1,7 +1,7 @@
 // Smoothing keeps what is large and removes what is small.
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
-#include "Measures/LabelSurface.h"
+#include "Measures/MaskSurface.h"
 #include "Mesh/SurfaceTopology.h"
 #include "Mesh/WindowedSinc.h"
 
@@ -15,7 +15,7 @@ namespace
 constexpr double Radius = 15.3;
 const Eigen::Vector3d Center(20, 20, 20);
 
-LabelSurface VoxelBall()
+MaskSurface VoxelBall()
 {
   const ImageGeometry geometry = Grid({ { 41, 41, 41 } }, { 1, 1, 1 });
   BitMask mask(geometry);
@@ -41,7 +41,7 @@ double Roughness(const PointList& points)
 
 TEST(WindowedSinc, RemovesTheStepsOfABallAndKeepsItsVolume)
 {
-  LabelSurface ball = VoxelBall();
+  MaskSurface ball = VoxelBall();
   const double volume = EnclosedVolume({ ball.Points, ball.Triangles });
   const double roughness = Roughness(ball.Points);
   SmoothByWindowedSinc(ball.Triangles, 20, 0.1, ball.Points);
@@ -51,7 +51,7 @@ TEST(WindowedSinc, RemovesTheStepsOfABallAndKeepsItsVolume)
 
 TEST(WindowedSinc, IsLinearAndMovesWithTheSurface)
 {
-  const LabelSurface ball = VoxelBall();
+  const MaskSurface ball = VoxelBall();
   PointList once = ball.Points;
   SmoothByWindowedSinc(ball.Triangles, 7, 0.1, once);
   PointList moved = (3 * ball.Points).rowwise() + Eigen::RowVector3d(5, -6, 7);
@@ -61,7 +61,7 @@ TEST(WindowedSinc, IsLinearAndMovesWithTheSurface)
     0.1);
 }
 
-TEST(LabelSurface, IsClosedForAnyMask)
+TEST(MaskSurface, IsClosedForAnyMask)
 {
   std::mt19937 random(5);
   for (const ImageGeometry& geometry : ExampleGrids())
@@ -69,7 +69,7 @@ TEST(LabelSurface, IsClosedForAnyMask)
     for (const double part : { 0.1, 0.5, 0.9 })
     {
       const BitMask mask = BitsOf(RandomMask(geometry, part, random), geometry);
-      const LabelSurface surface = SurfaceOf(mask);
+      const MaskSurface surface = SurfaceOf(mask);
       if (mask.Bounds().IsEmpty())
       {
         EXPECT_EQ(surface.Points.rows(), 0);

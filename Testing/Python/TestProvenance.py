@@ -53,7 +53,7 @@ class Provenance(unittest.TestCase):
         organ = flipfree.segment(image(), start_labels=truth(), start_label=6, levels=1)
         entry = json.loads(organ.provenance)["organs"][0]
         self.assertEqual((entry["seed"], entry["startLabels"]["label"]), (None, 6))
-        organ = flipfree.segment(image(), SEED, RADIUS, start=organ, levels=1)
+        organ = flipfree.segment(image(), SEED, RADIUS, start=liver(), levels=1)
         self.assertTrue(json.loads(organ.provenance)["organs"][0]["startSurface"])
 
     @unittest.skipUnless(HAS_FILES, "nothing that writes files is installed")

@@ -38,7 +38,7 @@ class StartLabels(unittest.TestCase):
     def test_are_filled(self):
         liver = fill()
         self.assertEqual(liver.self_intersections, 0)
-        self.assertGreater(flipfree.evaluate(liver, truth(), reference_label=LIVER).dice, 0.98)
+        self.assertEqual(flipfree.evaluate(liver, truth(), reference_label=LIVER).dice, 1)
         # However they come.
         numpy.testing.assert_array_equal(fill(mask(), 1).points, liver.points)
         numpy.testing.assert_array_equal(fill(mask() > 0, 0).points, liver.points)
@@ -59,14 +59,7 @@ class StartLabels(unittest.TestCase):
         self.assertEqual(flipfree.evaluate(labels, truth(), reference_label=LIVER).dice, 1)
         self.assertEqual(flipfree.evaluate(truth(), labels, segmentation_label=LIVER).dice, 1)
 
-    def test_that_are_hollow_or_beside_the_organ_give_a_warning(self):
-        (dx, dy, dz), _ = grid_of(image())
-        middle = [(count - 1) / 2 for count in mask().shape]
-        k, j, i = (index - half for index, half in zip(numpy.indices(mask().shape), middle))
-        distance = numpy.sqrt((k * dz) ** 2 + (j * dy) ** 2 + (i * dx) ** 2)
-        hollow = numpy.uint8((distance < 45) & (distance > 32))
-        with self.assertWarnsRegex(flipfree.FlipFreeWarning, r"^The surface encloses [\d.]+ ml, but the start labels have"):
-            fill(hollow, 1, resolution=8)
+    def test_that_are_beside_the_organ_give_a_warning(self):
         with self.assertWarnsRegex(flipfree.FlipFreeWarning, "^The result is doubtful: its confidence is"):
             fill(numpy.roll(mask(), 20, axis=2), 1)
 

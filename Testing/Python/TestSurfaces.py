@@ -61,12 +61,29 @@ class Surfaces(unittest.TestCase):
         flipfree.surfaces(image, progress=told.append)
         self.assertEqual((sorted(told), told[-1]), (told, 1))
 
+    def test_parts_and_triangles_may_be_fewer(self):
+        voxels = blocks()
+        voxels[0, 0, 0] = 5  # a speck of 3 mm3
+        voxels[4, 6, 5] = 0  # a cavity
+        fine = flipfree.surfaces(image_of(voxels), exact=True)
+        found = flipfree.surfaces(image_of(voxels), exact=True, smallest_part=4, fill_cavities=True, triangles=1)
+        self.assertEqual((fine.labels[1].euler_number, found.labels[1].euler_number), (4, 2))
+        self.assertEqual((found.labels[5].triangles, found.wrong_voxels, fine.collapse_distance), (0, 2, 0))
+        self.assertLess(5 * len(found.triangles), len(fine.triangles))
+        self.assertTrue(0 < found.collapse_distance <= 0.5)
+        for label in (1, 3, 70000):
+            self.assertTrue(is_closed(found.surface(label)[1]))
+        self.assertRegex(repr(found), "<LabelSurfaces: 3 labels")
+        with self.assertRaisesRegex(ValueError, r"label: 5 has no surface; there are \[1, 3, 70000\]"):
+            found.surface(5)
+
     def test_what_is_wrong_is_said(self):
         image = image_of(blocks())
         for error, text, call in (
             (flipfree.FlipFreeError, "no voxel with label 5; change only", lambda: flipfree.surfaces(image, only=[5])),
             (flipfree.FlipFreeError, "has no labels", lambda: flipfree.surfaces(image_of(0 * blocks()))),
             (flipfree.FlipFreeError, "the value -1 at voxel", lambda: flipfree.surfaces(image_of(-(blocks() == 1).astype(int)))),
+            (flipfree.FlipFreeError, "no part of any label has 1e.06 mm3; lower smallest_part", lambda: flipfree.surfaces(image, smallest_part=1e6)),
             (ValueError, "distance: 3 is out of range; give 0.5 to 1", lambda: flipfree.surfaces(image, distance=3)),
             (TypeError, "surfaces.. has no parameter 'exakt'", lambda: flipfree.surfaces(image, exakt=True)),
             (TypeError, "image_from_array", lambda: flipfree.surfaces(blocks())),

@@ -110,12 +110,17 @@ void MakeSurfaces(const SurfacesRequest& request)
   files->SetName("File");
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
+    auto* const surface =
+      vtkPolyData::SafeDownCast(filter->GetSurfaces()->GetBlock(static_cast<unsigned int>(row)));
+    if (surface->GetNumberOfPolys() == 0)
+    {
+      files->InsertNextValue("");
+      continue;
+    }
     const std::string own = FileOf(table, row, request.Format);
     const std::string file = (folder / own).string();
     files->InsertNextValue(own);
     outputs.Announce("--output", file, { request.LabelMap, request.Names });
-    auto* const surface =
-      vtkPolyData::SafeDownCast(filter->GetSurfaces()->GetBlock(static_cast<unsigned int>(row)));
     outputs.Write(file, [surface](const std::string& name) { WriteSurface(name, surface); });
   }
   table->AddColumn(files);
@@ -128,6 +133,14 @@ void MakeSurfaces(const SurfacesRequest& request)
       "%lld voxels on the wrong side; vertices lie at most %.2f mm from the corners where "
       "voxels of different labels meet\n",
       static_cast<long long>(filter->GetNumberOfWrongVoxels()), filter->GetGreatestDistance());
+    if (settings.EdgeLength > 0 || settings.Triangles > 0)
+    {
+      std::printf(
+        "%lld triangles; walls lie at most %.2f mm from where they were before edges were "
+        "collapsed\n",
+        static_cast<long long>(filter->GetOutput()->GetNumberOfPolys()),
+        filter->GetCollapseDistance());
+    }
     std::fflush(stdout);
   }
 }

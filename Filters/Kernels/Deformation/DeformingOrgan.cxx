@@ -214,12 +214,8 @@ bool DeformingOrgan::SnapsToEdges() const
   return this->Level + 1 >= this->Settings.Schedule.NumberOfLevels() && !this->Settled;
 }
 
-PointList DeformingOrgan::FindMotion()
+void DeformingOrgan::FindTargets()
 {
-  if (this->HasLevelEnded())
-  {
-    return PointList::Zero(this->Surface.Points.rows(), 3);
-  }
   this->Record = {};
   this->Record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
   this->Record.Level = this->FirstLevel + this->Level;
@@ -232,10 +228,27 @@ PointList DeformingOrgan::FindMotion()
     targets.Correspondence.EdgeWindow = 0;
   }
   Stopwatch watch;
-  this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points,
+  this->Surface.Field = FlipFree::FindTargets(this->Surface.Mesh, this->Surface.Points,
     this->Foreground.GetMask(), this->Foreground.GetNoData(), this->Foreground.GetImage(),
     this->OrganRadius, targets, this->Parallel, this->Record.Targets);
   this->Record.SearchSeconds = watch.Lap();
+}
+
+void DeformingOrgan::Stay()
+{
+  this->FindTargets();
+  this->Surface.Iterations.push_back(this->Record);
+  this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
+  this->Surface.Reason = StopReason::DistanceBelowTolerance;
+}
+
+PointList DeformingOrgan::FindMotion()
+{
+  if (this->HasLevelEnded())
+  {
+    return PointList::Zero(this->Surface.Points.rows(), 3);
+  }
+  this->FindTargets();
   PointList motion = this->Naming(
     [&]
     {

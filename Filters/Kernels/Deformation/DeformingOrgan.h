@@ -72,6 +72,8 @@ public:
   /// The run that has begun moves nothing in unchanged places.
   void StayIn(const UnchangedPlaces& places);
   void BeginLevel(int level);
+  /// In place of a level: an iteration that finds targets and moves nothing.
+  void Stay();
   /// The motion that the next iteration wants; none where the level has ended.
   PointList FindMotion();
   /// Ends the iteration with the vertices where the guard let them go. Not where the level has
@@ -101,6 +103,7 @@ private:
     const Monitor& monitor);
   bool FindForegroundOfSurface(const Monitor& monitor);
   bool SnapsToEdges() const;
+  void FindTargets();
   double MeanDistanceOfMobile() const;
   void FreePulled(const PointList& from);
   bool IsGrowing() const;

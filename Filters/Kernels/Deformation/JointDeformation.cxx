@@ -86,6 +86,15 @@ bool JointDeformation::RunLastLevel(const Monitor& monitor)
     this->IterateLevel(last, monitor) && this->FinishConstraints(true, monitor);
 }
 
+bool JointDeformation::Stay(const Monitor& monitor)
+{
+  for (DeformingOrgan* organ : this->Organs)
+  {
+    organ->Stay();
+  }
+  return monitor(0) && this->FinishConstraints(true, monitor);
+}
+
 bool JointDeformation::HasGuard() const
 {
   return this->Organs.front()->GetSettings().Step.Guard;

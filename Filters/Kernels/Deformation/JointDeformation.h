@@ -31,6 +31,9 @@ public:
   /// The same of the last level alone, for surfaces that have its vertices already: first freely,
   /// then, pulled back from outside points, once more.
   bool RunLastLevel(const Monitor& monitor);
+  /// No level: looks for the targets once, and brings the organs to obey their constraints. For
+  /// surfaces that are at their boundaries, of any closed mesh (BuildMeshAtRest).
+  bool Stay(const Monitor& monitor);
 
 private:
   bool HasGuard() const;

@@ -2,6 +2,7 @@
 
 #include "Deformation/DeformingOrgan.h"
 #include "Deformation/JointDeformation.h"
+#include "Deformation/LabelStart.h"
 #include "Deformation/RunScheduler.h"
 #include "Geometry/SelfIntersection.h"
 
@@ -23,7 +24,7 @@ struct OrganSegmenter::State
 
   DeformingOrgan Organ;
   const DeformableSurface Start;
-  bool IsGiven = false; // the foreground; there is no first run then
+  bool IsGiven = false; // the foreground; nothing is run then
 
   // The settled foreground before constraints correct it: carved after the first run, or given.
   // Kept between calls.
@@ -68,7 +69,7 @@ DeformingOrgan& OrganSegmenter::GetOrgan()
 
 bool OrganSegmenter::RunsTwice() const
 {
-  return this->Kept->Organ.GetSettings().Feature.Carving && !this->Kept->IsGiven;
+  return this->Kept->Organ.GetSettings().Feature.Carving;
 }
 
 bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver& observer)
@@ -124,7 +125,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
 {
   State& kept = *this->Kept;
   kept.Organ.ReleaseSurface();
-  if (!this->RunsTwice() && !kept.IsGiven)
+  if (!this->RunsTwice())
   {
     return kept.Organ.FindForegroundOfSeed(monitor) &&
       kept.Organ.CorrectForeground(constraints, monitor);
@@ -143,6 +144,26 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   surface.First = kept.FirstSurface;
   surface.Carving = kept.Carving;
   return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
+}
+
+bool OrganSegmenter::FillForeground(const ConstraintList& constraints, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  DeformingOrgan& organ = this->Kept->Organ;
+  organ.ReleaseSurface();
+  organ.SettleForeground(this->Kept->Uncorrected);
+  if (!organ.CorrectForeground(constraints, PartOf(monitor, 0, 0.4)))
+  {
+    return false;
+  }
+  const DeformableSurface start =
+    SurfaceOfMask(organ.GetForeground().GetMask(), this->Parallel, PartOf(monitor, 0.4, 0.7));
+  if (start.Points.rows() == 0)
+  {
+    return false;
+  }
+  organ.BeginAt(start, 0, constraints, OutsidePoints::AroundThem, observer);
+  return JointDeformation({ &organ }, {}, this->Parallel).Stay(PartOf(monitor, 0.7, 1));
 }
 
 std::optional<BitMask> OrganSegmenter::ForegroundBy(const ConstraintList& constraints,
@@ -195,6 +216,20 @@ OrganSegmenter::RunStart OrganSegmenter::StartOf(const DeformableSurface* given)
     this->RunsTwice() ? kept.Organ.GetSettings().Schedule.NumberOfLevels() : 0 };
 }
 
+bool OrganSegmenter::RunFrom(const DeformableSurface* start, const ConstraintList& constraints,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  const double half = this->RunsTwice() ? 0.5 : 0;
+  const Monitor askFirst = PartOf(monitor, 0, half);
+  if (!this->FindForeground(constraints, askFirst, observer))
+  {
+    return false;
+  }
+  const RunStart from = this->StartOf(start);
+  return this->Kept->Scheduler.Run({ constraints, from.Surface, from.Level, this->Kept->Uncorrected,
+    PartOf(monitor, half, 1), observer });
+}
+
 OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
@@ -202,17 +237,10 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const RememberingMonitor remembering(monitor);
   const Monitor& ask = remembering.Get();
   const double smoothing = organ.GetForeground().GetSmoothingSeconds();
-  const double half = this->RunsTwice() ? 0.5 : 0;
-  const Monitor askFirst = PartOf(ask, 0, half);
-  bool done = this->FindForeground(constraints, askFirst, observer);
-  if (done)
-  {
-    const RunStart from = this->StartOf(start);
-    done = this->Kept->Scheduler.Run({ constraints, from.Surface, from.Level,
-      this->Kept->Uncorrected, PartOf(ask, half, 1), observer });
-  }
+  const bool done = this->Kept->IsGiven ? this->FillForeground(constraints, ask, observer)
+                                        : this->RunFrom(start, constraints, ask, observer);
   if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&
-    (!start || start->Points == this->Kept->Start.Points))
+    !this->Kept->IsGiven && (!start || start->Points == this->Kept->Start.Points))
   {
     this->KeepUnconstrained();
   }

@@ -66,7 +66,8 @@ public:
   OrganSegmenter& operator=(const OrganSegmenter&) = delete;
 
   /// Takes a mask of the region in place of the foreground that is found in the image, and its
-  /// carving; all levels are then run once. It holds voxels of the seed.
+  /// carving. The surface is then that of the mask, corrected by constraints; nothing deforms it
+  /// but those that it does not obey yet, and the start surface has no part in it.
   void SetForeground(BitMask mask);
 
   /// Throws Error for bad input, and where a constraint cannot be obeyed, naming it; a stop by the
@@ -97,14 +98,18 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  // FindSurface() calls these, and RunScheduler::Run():
+  // FindSurface() calls these; RunFrom() also RunScheduler::Run():
   //
-  //   FindForeground()
-  //     RunAndCarve()              with carving, in the first call: finds what the foreground is
+  //   FillForeground()             with a given foreground, in place of all that follows
+  //   RunFrom()
+  //     FindForeground()
+  //       RunAndCarve()            with carving, in the first call: finds what the foreground is
   //                                carved from
-  //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
-  //                                an earlier call has made the surface that they correct
+  //       RunWithoutConstraints()  with constraints, if the foreground is carved, unless an earlier
+  //                                call has made the surface that they correct
 
+  bool FillForeground(const ConstraintList& constraints, const Monitor& monitor,
+    const IterationObserver& observer);
   std::optional<BitMask> ForegroundBy(const ConstraintList& constraints, const Monitor& monitor);
   bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
   bool RunWithoutConstraints(const Monitor& monitor);
@@ -117,6 +122,8 @@ private:
     int Level; // from which levels are counted
   };
   RunStart StartOf(const DeformableSurface* given) const;
+  bool RunFrom(const DeformableSurface* start, const ConstraintList& constraints,
+    const Monitor& monitor, const IterationObserver& observer);
 
   struct State;
   std::unique_ptr<State> Kept;

@@ -79,7 +79,7 @@ SeedSphere OrganSession::FillLabel(const LabelVolume& labels, int label)
   this->Filled.reset();
   RequireVoxels(this->Volume.Geometry, this->Name);
   StartMask start = StartMaskOf(labels, label, this->Volume.Geometry, this->Name);
-  const SeedSphere ball = LargestBallIn(start.Voxels, labels.Name, this->Threads.For);
+  const SeedSphere ball = LargestBallIn(start.Voxels, this->Threads.For);
   this->Filled = FilledLabel{ labels.Name, label,
     std::make_shared<const BitMask>(std::move(start.Voxels)), start.Outside, ball };
   return this->Filled->Ball;
@@ -121,6 +121,12 @@ OrganAnswer OrganSession::Segment(const OrganRequest& request, const Monitor& mo
   const IterationObserver& observer)
 {
   const bool fills = !request.Seed;
+  if (fills && this->Filled && this->Start)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      this->Start->Name + " and " + this->Filled->Name +
+        " cannot both be the start; leave one of them out");
+  }
   if (fills && !this->Filled)
   {
     throw Error(ErrorCode::SeedWithoutVoxels,

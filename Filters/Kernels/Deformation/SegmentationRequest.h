@@ -50,7 +50,7 @@ public:
 
   /// Takes the label that runs without a seed fill in place of a foreground that is found in the
   /// volume; 0 stands for all nonzero voxels. Returns the largest ball in it, in which they start.
-  /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is none.
+  /// Throws Error as StartMaskOf() does; then there is none.
   SeedSphere FillLabel(const LabelVolume& labels, int label);
 
   /// Throws Error for a volume, seed, surface or parameter that cannot be used, and whatever

@@ -1,6 +1,5 @@
 #include "Deformation/SegmentationWarnings.h"
 
-#include "Deformation/StartMask.h"
 #include "Evidence/SurfaceConfidence.h"
 #include "Image/VoxelOffsets.h"
 #include "MessageText.h"
@@ -20,13 +19,6 @@ namespace
 // finds the whole body.
 constexpr double MixedSeedScatter = 4.5;
 constexpr std::size_t FewestVoxelsInSeed = 100; // of the inner half; of fewer, scatter is chance
-
-// A surface rounds off the corners of voxels: this part of a mask.
-constexpr double MissedSilently = 0.05;
-
-// To the labels of 62 organs, as they are, moved, wider and narrower, the surface adds at most 4 %
-// of 227 results. Of closed walls of 6 mm, it adds 27 % and more. A fifth more or less is the same.
-constexpr double GainedSilently = 0.1;
 
 // Below this margin, per mm3, and of at least this part of the organ's volume; most of the smaller
 // parts are neighbors, whatever their gray values. Of the 50 of that size that were cut off at
@@ -143,37 +135,6 @@ std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& 
   return "The gray values in the seed sphere of " + TextOf(seed.Radius) +
     " mm scatter far more than those in its inner half, so the sphere may reach out of the organ; "
     "lower {SeedRadius} or move {SeedCenter}.";
-}
-
-std::vector<std::string> WarningsOfFilling(const BitMask& labels,
-  const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree)
-{
-  const double missed = FractionMissed(labels, voxels);
-  const std::size_t count = labels.Count();
-  const std::size_t found = CountVoxels(voxels);
-  std::vector<std::string> warnings;
-  if (missed > MissedSilently)
-  {
-    warnings.push_back(PercentOf(missed) + " of " + name +
-      " lie outside the surface. The surface is a single piece and cannot enter structures thinner "
-      "than about two voxels; remove separate parts, add inside points where something is missed, "
-      "or segment the parts one by one.");
-  }
-  const double gained = static_cast<double>(found) / static_cast<double>(count) - (1 - missed);
-  if (isFree && gained > GainedSilently)
-  {
-    const auto milliliters = [&labels](std::size_t of)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.1f ml", labels.GetGeometry().Milliliters(of));
-      return std::string(text);
-    };
-    warnings.push_back("The surface encloses " + milliliters(found) + ", but " + name + " have " +
-      milliliters(count) +
-      ". The surface has no holes and fills those of the labels; look at it, and add outside "
-      "points where it encloses too much.");
-  }
-  return warnings;
 }
 
 std::string WarningOfNoData(const PointList& points, const BitMask& noData)

@@ -24,12 +24,6 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const Implausibil
 /// with its remedy; empty for any other. `image` has values in the sphere, before smoothing.
 std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& seed);
 
-/// A message for each, with its remedy, about a surface that fills labels: it misses a part of
-/// them, or, if it is free of constraints, which may add to them, it encloses much more. `voxels`
-/// are the surface's; `name` is the labels'.
-std::vector<std::string> WarningsOfFilling(const BitMask& labels,
-  const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree);
-
 /// A message for a surface of which a part lies where the image has no data (NoData.h), with its
 /// remedy; empty for any other. `noData` may have no grid.
 std::string WarningOfNoData(const PointList& points, const BitMask& noData);

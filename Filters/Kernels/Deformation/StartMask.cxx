@@ -5,7 +5,6 @@
 #include "Image/GridCheck.h"
 #include "Image/LatticePlacement.h"
 #include "Image/VoxelOffsets.h"
-#include "Intensity/LeakControl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +45,7 @@ StartMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry&
   return start;
 }
 
-SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
-  const ParallelFor& parallelFor)
+SeedSphere LargestBallIn(const BitMask& mask, const ParallelFor& parallelFor)
 {
   const VoxelBox box = mask.Bounds();
   // With a layer of background on all sides, beyond the image's ends, too.
@@ -73,32 +71,9 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
     const double voxels = std::min(index[axis], image.Dimensions[axis] - 1 - index[axis]) + 0.5;
     ball.Radius = std::min(ball.Radius, voxels * image.Spacing[axis]);
   }
-  // In a sheet of one or two voxels, the nearest voxel outside is a neighbor.
-  constexpr double neighbor = 1.001;
-  if (ball.Radius <= neighbor * geometry.Spacing.minCoeff())
-  {
-    throw Error(ErrorCode::EmptyMask,
-      name + " are nowhere thicker than two voxels, so no surface can start in them");
-  }
+  // A seed is no smaller, though sheets and rows are.
+  ball.Radius = std::max(ball.Radius, image.Spacing.minCoeff());
   return ball;
-}
-
-BitMask PieceOf(BitMask mask, const SeedSphere& seed)
-{
-  KeepConnected(mask, VoxelsInSphere(mask.GetGeometry(), seed), NeverStop);
-  FillHoles(mask, NeverStop);
-  return mask;
-}
-
-double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels)
-{
-  const std::size_t count = mask.Count();
-  std::size_t missed = count;
-  for (const VoxelRun& run : voxels)
-  {
-    missed -= mask.CountRun(run.Begin, run.End, run.J, run.K);
-  }
-  return static_cast<double>(missed) / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
 } // namespace FlipFree

@@ -1,7 +1,6 @@
 /**
  * A mask from elsewhere (a network, an atlas, an earlier result) in place of the foreground that is
- * found in the image: where to start a surface that fills it, and how much of it a single connected
- * surface can fill.
+ * found in the image, and the ball in it that stands for a seed.
  */
 #ifndef FlipFreeStartMask_h
 #define FlipFreeStartMask_h
@@ -9,10 +8,8 @@
 #include "Image/BitMask.h"
 #include "Image/LabelValues.h"
 #include "Image/SeedRegion.h"
-#include "Mesh/SurfaceVoxelization.h"
 
 #include <string>
-#include <vector>
 
 namespace FlipFree
 {
@@ -32,18 +29,8 @@ StartMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry&
   const std::string& nameOfImage);
 
 /// The largest ball that the mask holds, up to the nearest voxel center outside it, and within
-/// the image. Of several, the first in the order of the voxels. Throws Error, naming the
-/// mask by `name`, where it is nowhere thicker than two voxels.
-SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
-  const ParallelFor& parallelFor);
-
-/// The part of the mask that is connected, by faces, with the voxels of the seed; its holes are
-/// filled, since a surface without handles cannot have them.
-BitMask PieceOf(BitMask mask, const SeedSphere& seed);
-
-/// Which fraction of the mask's voxels is not among those of the surface, 0 to 1. No two runs
-/// overlap.
-double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels);
+/// the image; but no smaller than a voxel. Of several, the first in the order of the voxels.
+SeedSphere LargestBallIn(const BitMask& mask, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

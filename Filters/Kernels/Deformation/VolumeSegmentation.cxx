@@ -1,7 +1,6 @@
 #include "Deformation/VolumeSegmentation.h"
 
 #include "Deformation/SegmentationWarnings.h"
-#include "Deformation/StartMask.h"
 #include "Error.h"
 #include "Geometry/DistanceQuery.h"
 #include "Image/BoxReading.h"
@@ -174,7 +173,7 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
     {
       mask.Remove(this->Smooth->GetNoData());
     }
-    this->Organ->SetForeground(PieceOf(std::move(mask), this->Seed));
+    this->Organ->SetForeground(std::move(mask));
   }
 }
 
@@ -316,12 +315,6 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   if (!isSeedDoubtful)
   {
     result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);
-  }
-  if (this->Given)
-  {
-    const std::vector<std::string> warnings =
-      WarningsOfFilling(*this->Given, result.Voxels, this->GivenName, isFree);
-    result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
   }
   if (!result.Warnings.empty() || !isFree)
   {

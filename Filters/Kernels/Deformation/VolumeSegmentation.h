@@ -78,8 +78,8 @@ public:
   VolumeSegmenter& operator=(const VolumeSegmenter&) = delete;
 
   /// Fills a mask, on exactly the volume's grid, in place of a foreground that is found in the
-  /// image. The seed lies in it (see LargestBallIn()); `name` names it in the warning that says
-  /// what was not reached.
+  /// image: the surface is that of the mask (LabelStart.h), and the start surface has no part in
+  /// it. The seed lies in it (see LargestBallIn()); `name` names it in errors.
   void SetForeground(std::shared_ptr<const BitMask> mask, std::string name);
 
   /// Throws as the constructor does, also where a constraint cannot be obeyed, naming it; and

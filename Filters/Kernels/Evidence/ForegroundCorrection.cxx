@@ -123,7 +123,8 @@ public:
       this->Foreground.Cropped(this->Box), this->CandidateNearby(), this->Given.Others, this->Seed,
       this->Given.Noise, this->Given.Kind };
     std::array<BitMask, 2> changed;
-    return CutCorrections(evidence, this->Corrections, this->Parallel, this->Ask, changed) &&
+    return this->FindApart() &&
+      CutCorrections(evidence, this->Corrections, this->Parallel, this->Ask, changed) &&
       this->ShiftBoundaries(evidence, changed) && this->Change(evidence.Before, changed) &&
       this->KeepPiece();
   }
@@ -305,12 +306,33 @@ private:
     }
   }
 
+  // A label that is filled may have several pieces.
+  bool FindApart()
+  {
+    const std::vector<std::size_t> source =
+      VoxelsInSphere(this->Foreground.GetGeometry(), this->Seed);
+    BitMask piece = this->Foreground;
+    if (!source.empty() && !KeepConnected(piece, source, this->Ask))
+    {
+      return false;
+    }
+    this->Apart = this->Foreground;
+    this->Apart.Remove(piece);
+    return true;
+  }
+
   bool KeepPiece()
   {
-    const ImageGeometry& geometry = this->Foreground.GetGeometry();
-    const std::vector<std::size_t> source = VoxelsInSphere(geometry, this->Seed);
-    return (source.empty() || KeepConnected(this->Foreground, source, this->Ask)) &&
-      CutAtNoData(this->Given.Read, this->Seed, this->Parallel, this->Ask, this->Foreground);
+    std::vector<std::size_t> source = VoxelsInSphere(this->Foreground.GetGeometry(), this->Seed);
+    this->Apart.Intersect(this->Foreground);
+    this->Apart.ForEach([&source](std::size_t voxel) { source.push_back(voxel); });
+    if ((!source.empty() && !KeepConnected(this->Foreground, source, this->Ask)) ||
+      !CutAtNoData(this->Given.Read, this->Seed, this->Parallel, this->Ask, this->Foreground))
+    {
+      return false;
+    }
+    this->Foreground.Unite(this->Apart);
+    return true;
   }
 
   const ForegroundImage& Given;
@@ -320,7 +342,8 @@ private:
   BitMask& Foreground;
   std::vector<PointCorrection> Corrections; // in one order for the same set
 
-  VoxelBox Box;                                           // what follows is on its grid
+  BitMask Apart; // of the foreground, from the seed's piece
+  VoxelBox Box;  // what follows is on its grid
   std::array<std::vector<std::array<int, 3>>, 2> Certain; // outside, inside
 };
 

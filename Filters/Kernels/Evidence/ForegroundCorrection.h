@@ -33,7 +33,8 @@ struct ForegroundImage
   TissueGrowth* Growth;                 ///< in the image; may be null
 };
 
-/// Corrects `foreground` and keeps what is connected with the seed. Boundary points do not count
+/// Corrects `foreground` and keeps what is connected with the seed, or with a piece that was not
+/// connected with it before. Boundary points do not count
 /// here. Returns false if the monitor stopped it; the foreground is then useless.
 bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
   const ConstraintList& constraints, const ParallelFor& parallelFor, const Monitor& monitor,

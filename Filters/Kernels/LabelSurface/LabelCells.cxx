@@ -76,7 +76,7 @@ int MostFrequent(const CornerLabels& labels)
   for (const int label : labels)
   {
     const std::ptrdiff_t count = std::count(labels.begin(), labels.end(), label);
-    if (count > most || (count == most && label < best))
+    if (count > most || (count == most && label == 0))
     {
       best = label;
       most = count;

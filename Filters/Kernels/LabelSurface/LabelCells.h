@@ -6,9 +6,10 @@
  * corners that do not are both connected along the edges of the cell. Then all walls of the cell
  * meet in one vertex. In other cells, labels touch only by an edge or a corner, or the walls of one
  * label pass twice. Such a cell gets a *label of its own*, as if there were a small voxel at its
- * center: the most frequent one of its corners, and of several the smallest. So labels that touch
- * by an edge are joined if most voxels around are theirs, and apart if not. Background counts as a
- * label, so that all labels together have a manifold surface as well.
+ * center: the most frequent one of its corners, and of several background, or else that of the
+ * first corner. So labels that touch by an edge are joined if most voxels around are theirs, and
+ * apart if not, whatever their values. Background counts as a label, so that all labels together
+ * have a manifold surface as well.
  *
  * A simple cell gets a label, too, if the cell across a side has one that no corner of this side
  * has. It has to be asked again for the cells next to it; the set of cells is the least one that

@@ -9,6 +9,8 @@
 #include "LabelSurface/LabelSurfaces.h"
 #include "ParameterTable.h"
 
+#include <limits>
+
 // Fields cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 
@@ -20,7 +22,22 @@
     "VOXELS",                                                                                      \
     "Without {Exact}: how far surfaces may go along each axis to be smooth before voxels change "  \
     "sides, in voxels")                                                                            \
-  P(Iterations, int, S Iterations, 0, FlipFree::MaximumWallIterations, "N", "Of the smoothing")
+  P(Iterations, int, S Iterations, 0, FlipFree::MaximumWallIterations, "N", "Of the smoothing")    \
+  P(SmallestPart, double, S SmallestPart, 0, FlipFree::MaximumSmallestPart, "MM3",                 \
+    "Parts of labels that are smaller get no surface: their voxels take the label, or "            \
+    "background, "                                                                                 \
+    "that most of their faces border")                                                             \
+  P(FillCavities, bool, S FillCavities, false, true, "",                                           \
+    "Background that labels enclose takes the label that most of its faces border")                \
+  P(EdgeLength, double, S EdgeLength, 0, FlipFree::MaximumWallEdge, "MM",                          \
+    "Collapse edges, for fewer triangles, while none becomes longer; 0: no limit, and with "       \
+    "{Triangles} of 0 no collapse")                                                                \
+  P(Triangles, int, S Triangles, 0, std::numeric_limits<int>::max(), "N",                          \
+    "Collapse edges while there are more triangles than that, of all walls; 0: no limit, and "     \
+    "with {EdgeLength} of 0 no collapse")                                                          \
+  P(Tolerance, double, S Tolerance, 0, FlipFree::MaximumWallTolerance, "VOXELS",                   \
+    "How far walls may move where edges are collapsed, in voxels of the smallest spacing; "        \
+    "{Exact} surfaces keep each voxel center on its side as well")
 
 // NOLINTEND(bugprone-macro-parentheses)
 

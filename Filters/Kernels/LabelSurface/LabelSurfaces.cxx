@@ -1,6 +1,8 @@
 #include "LabelSurface/LabelSurfaces.h"
 
+#include "LabelSurface/LabelParts.h"
 #include "LabelSurface/SmoothLabels.h"
+#include "LabelSurface/WallCollapse.h"
 #include "LabelSurface/WallTriangles.h"
 #include "MessageText.h"
 
@@ -28,6 +30,71 @@ void RequireInRange(const LabelSurfaceSettings& settings)
       "{Iterations} is " + std::to_string(settings.Iterations) + "; choose 0 to " +
         std::to_string(MaximumWallIterations));
   }
+  if (!(settings.SmallestPart >= 0 && settings.SmallestPart <= MaximumSmallestPart))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{SmallestPart} is " + TextOf(settings.SmallestPart) + " mm3; choose 0, to keep all, to " +
+        TextOf(MaximumSmallestPart));
+  }
+  if (!(settings.EdgeLength >= 0 && settings.EdgeLength <= MaximumWallEdge))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{EdgeLength} is " + TextOf(settings.EdgeLength) + " mm; choose 0, for no limit, to " +
+        TextOf(MaximumWallEdge));
+  }
+  if (settings.Triangles < 0)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{Triangles} is " + std::to_string(settings.Triangles) + "; choose 0, for no limit, or more");
+  }
+  if (!(settings.Tolerance >= 0 && settings.Tolerance <= MaximumWallTolerance))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{Tolerance} is " + TextOf(settings.Tolerance) + " voxels; choose 0 to " +
+        TextOf(MaximumWallTolerance));
+  }
+}
+
+// Collapses edges of walls in space, of which `result` has the same in the grid's indices.
+bool Coarsen(const LabelSurfaceSettings& settings, const ImageGeometry& image, bool isLeftHanded,
+  const ParallelFor& parallelFor, const Monitor& monitor, SharedWalls& inSpace,
+  LabelSurfaces& result)
+{
+  if (settings.EdgeLength == 0 && settings.Triangles == 0)
+  {
+    return true;
+  }
+  const SharedWalls before = inSpace;
+  const CollapseSettings collapse{ settings.EdgeLength, settings.Triangles,
+    settings.Tolerance * image.Spacing.minCoeff(), settings.Exact };
+  if (!CollapseWalls(collapse, monitor, inSpace, result.Walls.Points))
+  {
+    return false;
+  }
+  result.Walls.Triangles = inSpace.Triangles;
+  result.Walls.Labels = inSpace.Labels;
+  if (isLeftHanded)
+  {
+    result.Walls.Triangles.col(1).swap(result.Walls.Triangles.col(2));
+  }
+  result.CollapseDistance = FlipFree::CollapseDistance(before, inSpace, parallelFor);
+  return true;
+}
+
+LabelGrid KeptOf(const LabelGrid& grid, const ImageGeometry& image,
+  const LabelSurfaceSettings& settings, const ParallelFor& parallelFor)
+{
+  LabelPartSettings parts;
+  parts.SmallestPart =
+    static_cast<std::size_t>(std::ceil(settings.SmallestPart / image.VoxelVolume()));
+  parts.FillCavities = settings.FillCavities;
+  LabelGrid kept = KeepParts(grid, parts, parallelFor);
+  if (std::all_of(kept.Labels.begin(), kept.Labels.end(), [](int label) { return label == 0; }))
+  {
+    throw Error(ErrorCode::EmptyMask,
+      "no part of any label has " + TextOf(settings.SmallestPart) + " mm3; lower {SmallestPart}");
+  }
+  return kept;
 }
 
 // The walls of a grid, relaxed within bounds.
@@ -119,8 +186,9 @@ LabelSurfaces MakeLabelSurfaces(const LabelGrid& grid, const ImageGeometry& imag
   RequireInRange(settings);
   LabelSurfaces result;
   const GridFrame frame(image, grid.First);
-  const std::vector<std::size_t> voxels = CountLabels(grid, parallelFor);
-  RelaxedWalls walls(grid, parallelFor);
+  const LabelGrid kept = KeptOf(grid, image, settings, parallelFor);
+  const std::vector<std::size_t> voxels = CountLabels(kept, parallelFor);
+  RelaxedWalls walls(kept, parallelFor);
   if (!walls.Relax(voxels, settings.Exact ? CellBound : std::max(CellBound, settings.Distance),
         settings.Iterations, parallelFor, PartOf(monitor, 0.1, settings.Exact ? 0.8 : 0.4)))
   {
@@ -133,7 +201,7 @@ LabelSurfaces MakeLabelSurfaces(const LabelGrid& grid, const ImageGeometry& imag
   }
   else
   {
-    RelaxedWalls smooth(SmoothLabels(grid, walls.Cut(nullptr, parallelFor), parallelFor),
+    RelaxedWalls smooth(SmoothLabels(kept, walls.Cut(nullptr, parallelFor), parallelFor),
       parallelFor);
     if (!smooth.Relax(voxels, CellBound, settings.Iterations, parallelFor,
           PartOf(monitor, 0.5, 0.8)))
@@ -145,7 +213,12 @@ LabelSurfaces MakeLabelSurfaces(const LabelGrid& grid, const ImageGeometry& imag
   }
   SharedWalls inSpace = result.Walls;
   ToSpace(inSpace, frame, parallelFor);
-  result.Measures = MeasureLabels(inSpace, grid, image, voxels);
+  if (!Coarsen(settings, image, frame.IsLeftHanded(), parallelFor, PartOf(monitor, 0.8, 0.9),
+        inSpace, result))
+  {
+    return result;
+  }
+  result.Measures = MeasureLabels(inSpace, grid, image, CountLabels(grid, parallelFor));
   if (!monitor(0.9))
   {
     return result;

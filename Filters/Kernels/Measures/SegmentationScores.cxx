@@ -224,10 +224,10 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   Store(MeasureOverlap(voxels, known, parallelFor), grid, scores);
   scores.OverlapOf = "voxelized mesh";
   scores.DistanceOf = settings.ScoreVoxelization ? "surface of voxelized mesh" : "mesh";
-  const LabelSurface surface = settings.ScoreVoxelization
+  const MaskSurface surface = settings.ScoreVoxelization
     ? SurfaceOf(voxels, settings.LabelSmoothing)
-    : LabelSurface{ points, triangles };
-  const LabelSurface wanted = SurfaceOf(reference.Mask, settings.LabelSmoothing);
+    : MaskSurface{ points, triangles };
+  const MaskSurface wanted = SurfaceOf(reference.Mask, settings.LabelSmoothing);
   Store(MeasureSurfaceDistance(surface.Points, surface.Triangles, wanted.Points, wanted.Triangles,
           settings.SampleSpacing, parallelFor, monitor),
     scores);
@@ -262,8 +262,8 @@ SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& r
   Store(MeasureOverlap(voxels, known, parallelFor), grid, scores);
   scores.OverlapOf = "label map";
   scores.DistanceOf = "surface of label map";
-  const LabelSurface surface = SurfaceOf(voxels, settings.LabelSmoothing);
-  const LabelSurface wanted = SurfaceOf(known, settings.LabelSmoothing);
+  const MaskSurface surface = SurfaceOf(voxels, settings.LabelSmoothing);
+  const MaskSurface wanted = SurfaceOf(known, settings.LabelSmoothing);
   Store(MeasureSurfaceDistance(surface.Points, surface.Triangles, wanted.Points, wanted.Triangles,
           settings.SampleSpacing, parallelFor, monitor),
     scores);

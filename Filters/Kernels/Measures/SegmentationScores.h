@@ -6,7 +6,7 @@
 #define FlipFreeSegmentationScores_h
 
 #include "Image/LabelValues.h"
-#include "Measures/LabelSurface.h"
+#include "Measures/MaskSurface.h"
 
 #include <limits>
 #include <string>

@@ -248,6 +248,7 @@ class SurfacesAlgorithm:
             "boundary_labels": vtk_to_numpy(walls.GetCellData().GetArray("BoundaryLabels")),
             "wrong_voxels": int(filter_.GetNumberOfWrongVoxels()),
             "greatest_distance": filter_.GetGreatestDistance(),
+            "collapse_distance": filter_.GetCollapseDistance(),
             "rows": [
                 {name: _cell(table, row, column) for name, column in SURFACE_COLUMNS.items()}
                 for row in range(table.GetNumberOfRows())

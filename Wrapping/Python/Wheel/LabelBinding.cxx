@@ -117,6 +117,7 @@ nb::dict MakeSurfaces(const Voxels& voxels, const Triple& spacing, const Triple&
   answer["points"] = ArrayOf<double>(std::move(surfaces.Walls.Points), { points, 3 });
   answer["wrong_voxels"] = surfaces.WrongVoxels;
   answer["greatest_distance"] = surfaces.GreatestDistance;
+  answer["collapse_distance"] = surfaces.CollapseDistance;
   answer["rows"] = RowsOf(surfaces.Measures);
   return answer;
 }

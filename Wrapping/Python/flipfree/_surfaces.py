@@ -35,6 +35,7 @@ class LabelMeasures:
     euler_number: int
     """2 for each piece, less 2 for each tunnel through one."""
     triangles: int
+    """0 if all its parts are smaller than smallest_part: then it has no surface."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -59,6 +60,10 @@ class LabelSurfaces:
     greatest_distance: float
     """Of a vertex from the nearest corner of voxels of different labels, in mm."""
 
+    collapse_distance: float
+    """Between the walls before and after edges were collapsed, in mm: of all vertices, and of the
+    middles of the edges and triangles that are left."""
+
     def surface(self, label: int) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
         """The points and the triangles of a label, closed and counter-clockwise seen from outside.
 
@@ -70,15 +75,18 @@ class LabelSurfaces:
         """
         import numpy
 
-        if label not in self.labels:
-            raise ValueError(f"label: {label!r} has no surface; there are {list(self.labels)}")
+        if label not in self.labels or not self.labels[label].triangles:
+            raise ValueError(f"label: {label!r} has no surface; there are {self._present()}")
         is_first, is_second = (self.boundary_labels == label).T
         triangles = numpy.where(is_second[:, None], self.triangles[:, ::-1], self.triangles)
         used, corners = numpy.unique(triangles[is_first | is_second], return_inverse=True)
         return self.points[used], corners.reshape(-1, 3).astype(numpy.int32)
 
+    def _present(self) -> list[int]:
+        return [label for label, measures in self.labels.items() if measures.triangles]
+
     def __repr__(self) -> str:
-        return f"<LabelSurfaces: {len(self.labels)} labels, {len(self.triangles)} triangles>"
+        return f"<LabelSurfaces: {len(self._present())} labels, {len(self.triangles)} triangles>"
 
 
 def surfaces(

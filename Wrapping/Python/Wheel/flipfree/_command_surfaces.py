@@ -9,7 +9,7 @@ from typing import Any
 
 from . import _kernels
 from ._atomic import output_folder, write_table
-from ._backend import set_threads
+from ._backend import SURFACES_PARAMETERS, set_threads
 from ._command_inputs import wants_bar
 from ._command_outputs import require_place, write_to
 from ._errors import FileError
@@ -43,7 +43,7 @@ def surfaces(values: dict[str, Any]) -> None:
     with output_folder(values["output"]):
         found = _written(values, values["output"])
     if "quiet" not in values:
-        _print(found)
+        _print(found, is_coarse=any(values.get(name) for name in ("edge_length", "triangles")))
 
 
 def _written(values: dict[str, Any], folder: str) -> LabelSurfaces:
@@ -53,12 +53,13 @@ def _written(values: dict[str, Any], folder: str) -> LabelSurfaces:
     image, _ = read_labels(values["labels"], "")
     if "names" in values:
         image = replace(image, names=_names_in(values["names"]))
-    names = ("exact", "distance", "iterations")
-    parameters = {name: values[name] for name in names if name in values}
+    parameters = {name: values[name] for name in SURFACES_PARAMETERS if name in values}
     found = make_surfaces(image, values.get("label", ()), progress=wants_bar(values), **parameters)
     files = {label: _file_of(found, label, values.get("format", "stl")) for label in found.labels}
     with contextlib.ExitStack() as written:
         for label, file in files.items():
+            if not file:
+                continue
             path = os.path.join(folder, file)
             require_place(path, [values["labels"], values.get("names", values["labels"])])
             surface = _surface_of(found, label)
@@ -86,6 +87,9 @@ def _surface_of(found: LabelSurfaces, label: int) -> Surface:
 
 
 def _file_of(found: LabelSurfaces, label: int, ending: str) -> str:
+    """Empty for a label of which no part is left."""
+    if found.labels[label].triangles == 0:
+        return ""
     name = _kernels.file_name_part(found.labels[label].name)
     return f"{label}-{name}.{ending}" if name else f"{label}.{ending}"
 
@@ -98,7 +102,7 @@ def _names_in(path: str) -> dict[int, str]:
     return names
 
 
-def _print(found: LabelSurfaces) -> None:
+def _print(found: LabelSurfaces, is_coarse: bool) -> None:
     heading = ("Label", "Name", "Milliliters", "Euler", "Triangles", "Wrong voxels")
     print("{:>10}  {:<24}  {:>11}  {:>6}  {:>9}  {:>12}".format(*heading))
     for one in found.labels.values():
@@ -108,3 +112,8 @@ def _print(found: LabelSurfaces) -> None:
         f"{found.wrong_voxels} voxels on the wrong side; vertices lie at most "
         f"{found.greatest_distance:.2f} mm from the corners where voxels of different labels meet"
     )
+    if is_coarse:
+        print(
+            f"{len(found.triangles)} triangles; walls lie at most {found.collapse_distance:.2f} mm "
+            "from where they were before edges were collapsed"
+        )

@@ -1,4 +1,4 @@
-#include "Measures/LabelSurface.h"
+#include "Measures/MaskSurface.h"
 
 #include "Measures/CellTriangles.h"
 #include "Mesh/WindowedSinc.h"
@@ -49,10 +49,10 @@ public:
     }
   }
 
-  LabelSurface Get() const
+  MaskSurface Get() const
   {
     using Eigen::Index;
-    LabelSurface surface;
+    MaskSurface surface;
     surface.Points = Eigen::Map<const PointList>(this->Points.data(),
       static_cast<Index>(this->Points.size() / 3), 3);
     surface.Triangles = Eigen::Map<const TriangleList>(this->Corners.data(),
@@ -135,7 +135,7 @@ private:
 
 } // namespace
 
-LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations)
+MaskSurface SurfaceOf(const BitMask& mask, int smoothingIterations)
 {
   if (mask.Bounds().IsEmpty())
   {
@@ -143,7 +143,7 @@ LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations)
   }
   Boundary boundary(mask);
   boundary.Trace();
-  LabelSurface surface = boundary.Get();
+  MaskSurface surface = boundary.Get();
   if (smoothingIterations > 0)
   {
     constexpr double passBand = 0.1;

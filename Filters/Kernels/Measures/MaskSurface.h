@@ -1,8 +1,8 @@
 /**
- * The surface of a label: the boundary of its voxels as triangles.
+ * The surface of a mask: the boundary of its voxels as triangles.
  */
-#ifndef FlipFreeLabelSurface_h
-#define FlipFreeLabelSurface_h
+#ifndef FlipFreeMaskSurface_h
+#define FlipFreeMaskSurface_h
 
 #include "Image/BitMask.h"
 #include "KernelTypes.h"
@@ -10,7 +10,7 @@
 namespace FlipFree
 {
 
-struct LabelSurface
+struct MaskSurface
 {
   PointList Points;
   TriangleList Triangles;
@@ -20,7 +20,7 @@ struct LabelSurface
 /// millimeters, counter-clockwise seen from outside. The space beyond the image is outside. Voxels
 /// that only share an edge or a corner are not joined. Iterations of windowed sinc smoothing (pass
 /// band 0.1) remove the steps of the voxels. An empty mask has no surface.
-LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations = 0);
+MaskSurface SurfaceOf(const BitMask& mask, int smoothingIterations = 0);
 
 } // namespace FlipFree
 
