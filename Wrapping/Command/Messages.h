@@ -7,6 +7,7 @@
 #define FlipFreeCommandMessages_h
 
 #include "QuantityNames.h"
+#include "Warning.h"
 
 #include "vtkNew.h"
 
@@ -58,7 +59,6 @@ private:
 void WriteToUser(const std::string& text);
 
 void PrintError(const std::string& message);
-void PrintWarning(const std::string& message);
 
 } // namespace Command
 
