@@ -7,7 +7,6 @@
 #define FlipFreeCommandMessages_h
 
 #include "QuantityNames.h"
-#include "Warning.h"
 
 #include "vtkNew.h"
 
@@ -59,6 +58,7 @@ private:
 void WriteToUser(const std::string& text);
 
 void PrintError(const std::string& message);
+void PrintWarning(const std::string& message);
 
 } // namespace Command
 

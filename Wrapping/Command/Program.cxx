@@ -6,6 +6,7 @@
 #include "Interrupt.h"
 #include "Messages.h"
 #include "Subcommands.h"
+#include "Warning.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -37,6 +38,7 @@ int RunCommand(int argc, char* argv[])
   {
     CatchSignals();
     CatchVtkMessages();
+    SendWarningsTo(&PrintWarning);
 
     CommandLine line({ &Segment, &Trace, &MakeSurfaces, &Evaluate, &ListSeries, &MakePhantom, {} },
       FLIPFREE_VERSION);

@@ -139,7 +139,7 @@ std::vector<CorrectionPoint> ReadPoints(const std::string& name, const std::stri
   ReadPointText(name, reader);
   if (points.empty())
   {
-    PrintWarning("'" + name + "' holds no points, so nothing is corrected by it.");
+    Warn("'" + name + "' holds no points, so nothing is corrected by it.");
   }
   return points;
 }

@@ -20,11 +20,6 @@
 #include <map>
 #include <utility>
 
-void Command::PrintWarning(const std::string& message)
-{
-  nanobind::module_::import_("flipfree._messages").attr("warn")(message);
-}
-
 namespace FlipFree
 {
 namespace
@@ -448,6 +443,8 @@ void BindCommand(nb::module_& module)
     .def("flush", &AtomicFile::Flush)
     .def("publish", &AtomicFile::Publish)
     .def("discard", &AtomicFile::Discard);
+  SendWarningsTo([](const std::string& message)
+    { nb::module_::import_("flipfree._messages").attr("warn")(message); });
   BindSegmentRequests(module);
   BindOtherRequests(module);
   BindSummaries(module);
