@@ -43,7 +43,7 @@ void MakePhantom(const PhantomRequest& phantom)
   outputs.Commit();
   if (!phantom.Quiet)
   {
-    Print(PhantomText(phantom));
+    PrintSummary(PhantomText(phantom));
   }
 }
 

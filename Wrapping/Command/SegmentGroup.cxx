@@ -65,12 +65,12 @@ void PrintReport(vtkFlipFreeOrganGroup* group, const std::string& input, double 
     const OrganSummary organ{ input, VolumeInMilliliters(group->GetSurface(static_cast<int>(row))),
       static_cast<int>(number("Iterations")), table->GetValueByName(row, "StopReason").ToString(),
       static_cast<int>(number("SelfIntersections")) };
-    Print(GroupText(organ, table->GetValueByName(row, "Organ").ToString(),
+    PrintSummary(GroupText(organ, table->GetValueByName(row, "Organ").ToString(),
       static_cast<int>(number("Label")), number("Confidence")));
   }
   StageSeconds seconds;
   group->GetStageSeconds(seconds.data());
-  Print(GroupEndText(input, readingSeconds, seconds));
+  PrintSummary(GroupEndText(input, readingSeconds, seconds));
 }
 
 /// One run of the command.

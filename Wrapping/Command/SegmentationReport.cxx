@@ -41,7 +41,7 @@ bool IsGuarded(const OrganFilter& filter)
 
 } // namespace
 
-void Print(const std::string& text)
+void PrintSummary(const std::string& text)
 {
   std::fputs(text.c_str(), stdout);
   std::fflush(stdout);
@@ -63,7 +63,7 @@ void Report(const OrganFilter& filter, const SegmentRequest& request, double rea
   }
   if (!request.Quiet)
   {
-    Print(SummaryOf(filter, request, readingSeconds));
+    PrintSummary(SummaryOf(filter, request, readingSeconds));
   }
 }
 

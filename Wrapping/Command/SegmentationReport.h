@@ -19,7 +19,7 @@ namespace Command
 void Report(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds);
 
 /// Prints what Summary.h says, at once.
-void Print(const std::string& text);
+void PrintSummary(const std::string& text);
 
 /// Where no vertex found a boundary, the surface is not an organ's: nothing is written. Python has
 /// the same words (_boundary_found.py).

@@ -116,7 +116,7 @@ void ListSeries(const SeriesRequest& list)
   }
   if (!list.Quiet)
   {
-    Print(SeriesText(SummariesOf(reader)));
+    PrintSummary(SeriesText(SummariesOf(reader)));
   }
   WarnOfProblems(reader);
 }

@@ -105,7 +105,7 @@ void MakeSurfaces(const SurfacesRequest& request)
   outputs.Commit();
   if (!request.Quiet)
   {
-    Print(SurfacesText(SummariesOf(table), filter->GetNumberOfWrongVoxels(),
+    PrintSummary(SurfacesText(SummariesOf(table), filter->GetNumberOfWrongVoxels(),
       filter->GetGreatestDistance()));
   }
 }

@@ -129,7 +129,7 @@ void Trace(const TraceRequest& given)
   files.Commit();
   if (!request.Quiet)
   {
-    Print(SummaryOf(request, filter));
+    PrintSummary(SummaryOf(request, filter));
   }
 }
 
