@@ -611,6 +611,9 @@ test("the command repeats a session with every parameter that there is", async (
   const presets = await Promise.all(["default", "published", "naive"].map((preset) => flipfree.defaultParameters(preset)));
   const [parameters, published] = presets;
   assert.ok(Object.keys(parameters).length > 35);
+  const types = readFileSync(join(process.env.FLIPFREE_BROWSER_PACKAGE, "types/parametertypes.d.ts"), "utf8");
+  const [, typed] = types.match(/SegmentationParameters = \{([^}]*)\}/);
+  assert.deepEqual([...typed.matchAll(/(\w+)\?:/g)].map(([, name]) => name), Object.keys(parameters));
   assert.equal(published.guard, false);
   const quick = { resolution: 8, levels: 1, carving: false };
   const { voxels, ...grid } = phantom.image;

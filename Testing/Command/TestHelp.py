@@ -47,6 +47,7 @@ class TestHelp(unittest.TestCase):
             self.assertEqual(process.returncode, 2, arguments)
             self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]*--help'\.\n\Z")
 
+    @unittest.skipIf(command.IS_OF_PIP, "it is there")
     def test_cohort_is_elsewhere(self):
         process = command.run("cohort", "table.csv", "-o", "results")
         self.assertEqual(process.returncode, 2)

@@ -1,4 +1,4 @@
-"""Volumes with voxels that are no numbers, and on any scale of gray values."""
+"""Volumes with voxels that are no numbers."""
 
 import array
 import gzip
@@ -39,21 +39,6 @@ class TestNoData(command.CommandTest):
     def segment(self, name, *more):
         return command.run("segment", name, *self.seed, "-o", self.result("out.vtp"), *more)
 
-    def dice(self, name):
-        self.assert_succeeds(self.segment(name))
-        process = command.run("evaluate", self.result("out.vtp"), self.truth)
-        self.assert_succeeds(process)
-        return command.dice_of(process.stdout)
-
-    def test_field_of_view(self):
-        center = self.size[0] / 2 - 0.5
-        plain = self.dice(self.volume)
-        self.assertGreater(plain, 0.97)
-        for padding in (math.nan, -math.inf):
-            name = self.write("round.nrrd", lambda place, gray, padding=padding: gray if math.dist(
-                place[:2], (center, center)) < center else padding)
-            self.assertAlmostEqual(self.dice(name), plain, delta=0.01)
-
     def test_seeds_and_points_without_data(self):
         x, y, z, radius = map(float, (*self.seed[1:4], self.seed[5]))
         last = int((x + radius) / self.spacing[0]) + 2
@@ -68,16 +53,6 @@ class TestNoData(command.CommandTest):
         self.assertEqual(beside.returncode, 0, beside.stderr)
         self.assertRegex(beside.stderr,
                          r"flipfree: warning: \d+ % of the surface lies where the image has no data")
-
-    def test_scales(self):
-        lowest = min(self.voxels)
-        expected = None
-        for scale in (1, 1e-6, 1e-3, 1e3, 1e9):  # as in MR, of no sign
-            name = self.write("scaled.nrrd", lambda _, gray, scale=scale: scale * (gray - lowest))
-            dice = self.dice(name)
-            expected = dice if expected is None else expected
-            self.assertAlmostEqual(dice, expected, delta=0.002)
-        self.assertGreater(expected, 0.97)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,8 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["FLIPFREE_COMMAND"]
+# The command that pip installs draws without a display and has a subcommand more.
+IS_OF_PIP = bool(os.environ.get("FLIPFREE_COMMAND_IS_OF_PIP"))
 FILTERS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Filters", "Segmentation")
 # How much longer things take than in the build that users have: more than 1 with sanitizers.
 SLOWNESS = float(os.environ.get("FLIPFREE_SLOWNESS", "1"))

@@ -145,39 +145,6 @@ TEST(StartLabels, KeepTheirPartsAndHollows)
   EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
 }
 
-TEST(StartLabels, MayBeCroppedAndInAnotherOrder)
-{
-  const auto labels = LabelsOfShape(IsInPear);
-  const auto whole = MakeFilter(labels);
-  whole->Update();
-  // Along z, x and y, the second one backwards, without the first voxels along x.
-  const int first = 4;
-  vtkNew<vtkImageData> part;
-  part->SetDimensions(48, 48 - first, 48);
-  part->SetSpacing(2, 2, 2);
-  part->SetOrigin(2 * 47, 0, 0);
-  const double axes[] = { 0, -1, 0, 0, 0, 1, 1, 0, 0 };
-  part->SetDirectionMatrix(axes);
-  part->AllocateScalars(VTK_SHORT, 1);
-  for (vtkIdType voxel = 0; voxel < part->GetNumberOfPoints(); ++voxel)
-  {
-    const int x = 47 - static_cast<int>(voxel / 48) % (48 - first);
-    const int y = static_cast<int>(voxel / 48 / (48 - first));
-    const int z = static_cast<int>(voxel) % 48;
-    part->GetPointData()->GetScalars()->SetTuple1(voxel,
-      labels->GetScalarComponentAsDouble(x, y, z, 0));
-  }
-  const auto filter = MakeFilter(part);
-  ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
-  ASSERT_EQ(filter->GetSurface()->GetNumberOfPoints(), whole->GetSurface()->GetNumberOfPoints());
-  for (vtkIdType point = 0; point < whole->GetSurface()->GetNumberOfPoints(); ++point)
-  {
-    ASSERT_EQ(Eigen::Vector3d(filter->GetSurface()->GetPoint(point)),
-      Eigen::Vector3d(whole->GetSurface()->GetPoint(point)));
-  }
-  EXPECT_EQ(DiceOf(filter->GetLabelMap(), labels), DiceOf(whole->GetLabelMap(), labels));
-}
-
 TEST(StartLabels, ThatAreProbabilitiesGiveAWarning)
 {
   const auto labels = LabelsOfShape(IsInPear);

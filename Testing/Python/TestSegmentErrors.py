@@ -106,12 +106,6 @@ class Failures(unittest.TestCase):
                  (-99.75, -83.75, 167), RADIUS)):
             self.refuse(error, message, image(), seed, radius)
 
-    def test_a_sphere_larger_than_the_image(self):
-        words = "^No segmentation: .*the seed sphere, with a radius of 500 mm, is larger than the image, .*; lower (its )?radius so"
-        self.refuse(flipfree.SegmentationError, words, image(), SEED, 500, resolution=8)
-        with self.assertRaisesRegex(flipfree.SegmentationError, words):
-            flipfree.segment_organs(image(), {"liver": (SEED, 500)}, resolution=8)
-
     def test_an_organ_without_a_boundary(self):
         words = "^No segmentation: no boundary of the organ was found; check that the seed sphere .* raise search_distance"
         with warnings.catch_warnings():

@@ -199,7 +199,7 @@ class Metadata(unittest.TestCase):
         distribution = importlib.metadata.distribution("flipfree")
         self.assertEqual(distribution.version, flipfree.__version__)
         names = sorted(Path(name).name for name in distribution.metadata.get_all("License-File"))
-        self.assertEqual(names, ["LICENSE", "eigen.txt", "nanobind.txt", "robin_map.txt"])
+        self.assertEqual(names, ["LICENSE", "cli11.txt", "eigen.txt", "nanobind.txt", "nlohmann_json.txt", "robin_map.txt"])
 
 
 if __name__ == "__main__":

@@ -1,26 +1,15 @@
-"""Files of points: the toolkit's command and the wheel's read the same files alike, and refuse the same in the same words."""
+"""Files of points, which the toolkit's command and the wheel's read by the same code: whatever programs write, and what is refused."""
 
-import contextlib
-import io
 import json
 import os
-import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import flipfree
-from flipfree import _point_files
-from flipfree._command import main
+from flipfree import _kernels, _point_files
+from flipfree._corrections import INSIDE, Constraint
 
-try:
-    import SimpleITK  # pylint: disable=unused-import
-except ImportError:
-    print("Skipped: SimpleITK is not installed.")
-    sys.exit(77)
-
-PROGRAMS = ("toolkit", "wheel")
 MARK = b"\xef\xbb\xbf"
 POINTS = "inside,62,32,32,\noutside,32,54,32,\nseed,40,32,32,4\n"
 
@@ -158,96 +147,52 @@ class PointFiles(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        ball = flipfree.phantom("sphere", dimensions=(64, 64, 40), spacing=(1, 1, 1.6))
-        flipfree.write_image(ball.image, cls.folder / "ball.nii.gz")
-        (center, radius), = ball.seeds.values()
-        cls.start = ("ball.nii.gz", "--seed", *center, "--radius", radius, "--resolution", 8, "--levels", 1)
         before = os.getcwd()
         os.chdir(cls.folder)
         cls.addClassCleanup(os.chdir, before)
-
-    def segment(self, program, *arguments):
-        """Runs the wheel's command in this process: starting Python takes longer than most of these files."""
-        words = [str(word) for word in ("segment", *self.start, "--iterations", 1, "-q", *arguments)]
-        if program == "toolkit":
-            return subprocess.run([os.environ["FLIPFREE_COMMAND"], *words], capture_output=True, text=True, timeout=120,
-                                  check=False)
-        with contextlib.redirect_stdout(io.StringIO()) as output, contextlib.redirect_stderr(io.StringIO()) as errors:
-            status = main(words)
-        return subprocess.CompletedProcess(words, status, output.getvalue(), errors.getvalue())
 
     def write(self, name, content):
         (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
 
     def test_good_files_hold_the_same_points(self):
-        """Read exactly, as what is written shows; both write the same bytes."""
+        """Read exactly, as what is written shows."""
         saved = "kind,x,y,z,radius\n" + POINTS
-        markups_saved = set()
         for name, content in GOOD.items():
             self.write(name, content)
-            for program in PROGRAMS:
-                with self.subTest(name, program=program):
-                    process = self.segment(program, "--points", name, "--save-points", "saved.csv", "-o", "a.stl")
-                    self.assertEqual((process.returncode, process.stderr), (0, ""))
-                    self.assertEqual((self.folder / "saved.csv").read_text(), saved)
-        for program in PROGRAMS:
-            self.segment(program, "--points", "lps.mrk.json", "--inside", 62.5, 32, 32.1, "--save-points", "saved.mrk.json", "-o",
-                         "a.stl")
-            markups_saved.add((self.folder / "saved.mrk.json").read_bytes())
-        self.assertEqual(len(markups_saved), 1)
-        self.assertIn(b"62.5", markups_saved.pop())
+            with self.subTest(name):
+                _point_files.write_points("saved.csv", _point_files.read_points(name))
+                self.assertEqual((self.folder / "saved.csv").read_text(), saved)
+
+    def test_markups_are_read_again(self):
+        self.write("lps.mrk.json", GOOD["lps.mrk.json"])
+        points = [*_point_files.read_points("lps.mrk.json"), Constraint(INSIDE, (62.5, 32.0, 32.1))]
+        _point_files.write_points("saved.mrk.json", points)
+        self.assertEqual(_point_files.read_points("saved.mrk.json"), points)
+        self.assertIn(b"62.5", (self.folder / "saved.mrk.json").read_bytes())
 
     def test_files_of_no_points(self):
         for name, content in {"empty.csv": "", "header.csv": "kind,x,y,z\n", "empty.mrk.json": '{"markups": []}'}.items():
             self.write(name, content)
-            for program in PROGRAMS:
-                with self.subTest(name, program=program):
-                    process = self.segment(program, "--points", name, "-o", "a.stl")
-                    self.assertEqual((process.returncode, process.stderr), (
-                        0, f"flipfree: warning: '{name}' holds no points, so nothing is corrected by it.\n"))
+            with self.subTest(name), self.assertWarnsRegex(flipfree.FlipFreeWarning, f"'{name}' holds no points, so nothing is corrected by it"):
+                self.assertEqual(_point_files.read_points(name), [])
 
-    def test_bad_files_are_refused_in_the_same_words(self):
+    def test_bad_files_are_refused(self):
         (self.folder / "folder.csv").mkdir()
         missing = {"gone.csv": (None, "Check the name and the folder"),
                    "folder.csv": (None, "cannot be read. Check the name and the permissions")}
         for name, (content, message) in {**BAD, **missing}.items():
             if content is not None:
                 self.write(name, content)
-            found = {program: self.segment(program, "--points", name, "-o", "never.stl") for program in PROGRAMS}
-            with self.subTest(name):
-                self.assertRegex(found["wheel"].stderr, rf"\Aflipfree: error: (There is no file )?'{name}'[^\n]*{message}[^\n]*\.\n\Z")
-                self.assertEqual(found["wheel"].stderr, found["toolkit"].stderr)
-                self.assertEqual([process.returncode for process in found.values()], [1, 1])
-        self.assertFalse((self.folder / "never.stl").exists())
+            with self.subTest(name), self.assertRaisesRegex(flipfree.FileError, rf"\A(There is no file )?'{name}'[^\n]*{message}[^\n]*\Z"):
+                _kernels_read(name)
 
 
-    def test_strokes(self):
-        """The same points, in the same order, and the same words about wrong ones."""
-        self.write("inside.csv", "x,Y,z\n62.5,32,32.1\n62.5,32,32.1004\n60,32,32\n")
-        self.write("curve.mrk.json", markups(("C-1", [-33, -54, 32]), ("", [-34, -54, 32]), coordinateSystem="RAS"))
-        options = ("--outside-stroke", "curve.mrk.json", "--boundary", 32, 32, 60, "--inside-stroke", "inside.csv", "--inside",
-                   58, 32, 32)
-        for program in PROGRAMS:
-            process = self.segment(program, *options, "--save-points", "saved.csv", "-o", "a.stl")
-            self.assertEqual((process.returncode, process.stderr), (0, ""))
-            self.assertEqual((self.folder / "saved.csv").read_text(),
-                             "kind,x,y,z,radius\ninside,58,32,32,\ninside,62.5,32,32.100000000000001,\ninside,60,32,32,\n"
-                             "outside,33,54,32,\noutside,34,54,32,\nboundary,32,32,60,\n")
-        ends = {}
-        for name, content in {"x.csv": "x,z,a\n", "four.csv": "inside,1,2,3\n", "none.csv": "", "none.mrk.json": '{"markups": []}',
-                              "bad.mrk.json": "{", "stroke.txt": ""}.items():
-            self.write(name, content)
-            for start in ((), ("--organ", "liver", 32, 32, 32, 6)):
-                words = [str(word) for word in start or self.start[1:]]
-                arguments = ["segment", "ball.nii.gz", *words, "--outside-stroke", name, "-o", "never.stl"]
-                toolkit = subprocess.run([os.environ["FLIPFREE_COMMAND"], *map(str, arguments)], capture_output=True,
-                                         text=True, timeout=120, check=False)
-                with contextlib.redirect_stderr(io.StringIO()) as errors:
-                    status = main(arguments)
-                with self.subTest(name, start=start):
-                    self.assertEqual((status, errors.getvalue()), (toolkit.returncode, toolkit.stderr))
-                ends[name] = errors.getvalue()
-        self.assertRegex(ends["none.csv"], "'none.csv' holds no points")
+def _kernels_read(name):
+    """As the option --points."""
+    try:
+        return _kernels.read_points(name, "--inside-stroke or --outside-stroke")
+    except _kernels.Failure as failure:
+        raise flipfree.FileError(str(failure)) from None
 
 
 class VesselFiles(unittest.TestCase):

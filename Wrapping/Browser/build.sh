@@ -41,6 +41,7 @@ fi
 NODE_OPTIONS=--no-experimental-fetch cmake --build "$folder/kernels"
 
 cd "$here"
+node types.mjs "$folder/kernels" flipfree/parametertypes.ts
 node_modules/.bin/tsc
 node build.mjs "$folder/kernels" "$folder/package" "$folder/page"
 node_modules/.bin/tsc --noEmit false --emitDeclarationOnly --declaration --rootDir flipfree \

@@ -1,6 +1,5 @@
 #include "AskQuestions.h"
 
-#include "Failure.h"
 #include "Messages.h"
 #include "Run.h"
 
@@ -14,8 +13,6 @@
 #include <iostream>
 #include <optional>
 #include <string>
-
-#include <unistd.h>
 
 namespace Command
 {
@@ -54,15 +51,6 @@ std::optional<std::string> AnswerTo(const std::string& question)
 }
 
 } // namespace
-
-void RequireTerminal()
-{
-  if (!isatty(STDIN_FILENO))
-  {
-    throw WrongUsage("--ask needs a terminal to ask at. Write the questions to a file by "
-                     "--questions, and answer them by --inside and --outside.");
-  }
-}
 
 std::vector<CorrectionPoint> AskQuestions(vtkTable* questions)
 {

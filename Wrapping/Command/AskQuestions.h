@@ -13,9 +13,6 @@ class vtkTable;
 namespace Command
 {
 
-/// Throws WrongUsage unless the standard input is a terminal.
-void RequireTerminal();
-
 /// The points that the answers give; none of a question that is skipped.
 std::vector<CorrectionPoint> AskQuestions(vtkTable* questions);
 

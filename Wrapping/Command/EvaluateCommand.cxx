@@ -1,6 +1,6 @@
 #include "Failure.h"
 #include "Messages.h"
-#include "Options.h"
+#include "OtherRequests.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
@@ -17,27 +17,12 @@
 #include "vtkSurfaceValidity.h"
 #include "vtkTable.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
-#include <memory>
 
 namespace Command
 {
 namespace
 {
-
-struct Evaluation
-{
-  std::string Segmentation;
-  std::string Reference;
-  std::string Label;
-  std::string SegmentationLabel;
-  std::string ReferenceLabel;
-  std::string Csv;
-  bool Voxelize = false;
-  bool Quiet = false;
-};
 
 void PrintValidity(vtkPolyData* surface)
 {
@@ -47,7 +32,8 @@ void PrintValidity(vtkPolyData* surface)
   std::fputs(validity->GetSummary().c_str(), stdout);
 }
 
-vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
+vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics,
+  const EvaluateRequest& evaluation)
 {
   auto row = vtkSmartPointer<vtkTable>::New();
   const auto add = [&row](const char* column, const std::string& value)
@@ -66,7 +52,7 @@ vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evalua
   return row;
 }
 
-void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
+void Measure(vtkSegmentationMetrics* metrics, const EvaluateRequest& evaluation)
 {
   const FlipFree::QuantityNames names{ { "SegmentationLabel", "--segmentation-label" },
     { "ReferenceLabel", "--reference-label" } };
@@ -81,7 +67,9 @@ void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
   }
 }
 
-void Evaluate(const Evaluation& evaluation)
+} // namespace
+
+void Evaluate(const EvaluateRequest& evaluation)
 {
   if (evaluation.Quiet)
   {
@@ -94,8 +82,6 @@ void Evaluate(const Evaluation& evaluation)
     outputs.Announce("--csv", evaluation.Csv, { evaluation.Segmentation, evaluation.Reference });
   }
 
-  const auto labelOr = [&evaluation](const std::string& own)
-  { return own.empty() ? evaluation.Label : own; };
   vtkNew<vtkSegmentationMetrics> metrics;
   metrics->SetScoreVoxelization(evaluation.Voxelize);
   vtkSmartPointer<vtkPolyData> surface;
@@ -107,12 +93,11 @@ void Evaluate(const Evaluation& evaluation)
   else
   {
     const ChosenLabels labels =
-      ReadLabels(evaluation.Segmentation, labelOr(evaluation.SegmentationLabel));
+      ReadLabels(evaluation.Segmentation, evaluation.LabelOfSegmentation());
     metrics->SetInputData(labels.Map);
     metrics->SetSegmentationLabel(labels.Label);
   }
-  const ChosenLabels reference =
-    ReadLabels(evaluation.Reference, labelOr(evaluation.ReferenceLabel));
+  const ChosenLabels reference = ReadLabels(evaluation.Reference, evaluation.LabelOfReference());
   metrics->SetReferenceData(reference.Map);
   metrics->SetReferenceLabel(reference.Label);
   Measure(metrics, evaluation);
@@ -132,23 +117,6 @@ void Evaluate(const Evaluation& evaluation)
     }
     std::fflush(stdout);
   }
-}
-
-} // namespace
-
-void AddEvaluateCommand(CLI::App& program)
-{
-  const auto evaluation = std::make_shared<Evaluation>();
-  CLI::App* command = AddCommand(program, "evaluate");
-  AddOption(*command, "SEGMENTATION", evaluation->Segmentation);
-  AddOption(*command, "REFERENCE", evaluation->Reference);
-  AddOption(*command, "--label", evaluation->Label);
-  AddOption(*command, "--segmentation-label", evaluation->SegmentationLabel);
-  AddOption(*command, "--reference-label", evaluation->ReferenceLabel);
-  AddOption(*command, "--csv", evaluation->Csv);
-  AddOption(*command, "--voxelize", evaluation->Voxelize);
-  AddOption(*command, "--quiet", evaluation->Quiet);
-  command->callback([evaluation]() { Evaluate(*evaluation); });
 }
 
 } // namespace Command

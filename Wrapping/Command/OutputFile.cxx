@@ -4,14 +4,10 @@
 #include "Interrupt.h"
 #include "Run.h"
 
-#include "TextWords.h"
-
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace Command
 {
@@ -19,14 +15,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-bool SameFile(const std::string& a, const std::string& b)
-{
-  std::error_code ignored;
-  const fs::path first = fs::weakly_canonical(fs::absolute(a, ignored), ignored);
-  const fs::path second = fs::weakly_canonical(fs::absolute(b, ignored), ignored);
-  return first == second || (fs::exists(first, ignored) && fs::equivalent(first, second, ignored));
-}
 
 std::string Replaced(std::string text, const std::string& from, const std::string& to)
 {
@@ -62,32 +50,6 @@ std::unique_ptr<FlipFree::AtomicFile> MakeFile(const std::string& name)
 
 } // namespace
 
-bool HasEnding(const std::string& name, const std::vector<std::string>& endings)
-{
-  const std::string small = FlipFree::InSmallLetters(name);
-  return std::any_of(endings.begin(), endings.end(),
-    [&small](const std::string& ending)
-    {
-      return small.size() > ending.size() &&
-        small.compare(small.size() - ending.size(), ending.size(), ending) == 0;
-    });
-}
-
-void RequireEnding(const std::string& option, const std::string& name,
-  const std::vector<std::string>& endings)
-{
-  if (!HasEnding(name, endings))
-  {
-    std::string list;
-    for (const std::string& ending : endings)
-    {
-      list += (list.empty() ? "" : ending == endings.back() ? " or " : ", ") + ending;
-    }
-    throw WrongUsage(
-      option + ": the file extension of '" + name + "' is not supported. Use " + list + ".");
-  }
-}
-
 OutputFolder::OutputFolder(const std::string& name)
   : Name(name)
 {
@@ -113,27 +75,15 @@ OutputFolder::~OutputFolder()
 void OutputFiles::Announce(const std::string& option, const std::string& name,
   const std::vector<std::string>& inputs)
 {
-  for (const std::string& input : inputs)
-  {
-    if (SameFile(name, input))
-    {
-      throw WrongUsage(
-        "'" + name + "' is an input, which would be overwritten. Give the result another name.");
-    }
-  }
-  for (const auto& [other, file] : this->Announced)
-  {
-    if (other != option && SameFile(name, file)) // the same option has a file of all organs
-    {
-      std::ostringstream text;
-      text << other << " and " << option << " name the same file, '" << name
-           << "'. Give each one of its own.";
-      throw WrongUsage(text.str());
-    }
-  }
-  this->Announced.emplace_back(option, name);
+  this->Announced.Add(option, name, inputs);
   const Uninterrupted whole;
   WithFile([&name]() { FlipFree::AtomicFile probe(name); });
+}
+
+Announce OutputFiles::Announcing()
+{
+  return [this](const std::string& option, const std::string& name,
+           const std::vector<std::string>& inputs) { this->Announce(option, name, inputs); };
 }
 
 void OutputFiles::Write(const std::string& name,
@@ -178,6 +128,11 @@ void WriteBytes(const std::string& name, const char* bytes, std::size_t count)
     throw Failure("'" + name + "' cannot be written: " + std::strerror(errno) +
       ". Free some disk space, or write elsewhere.");
   }
+}
+
+void WriteText(const std::string& name, const std::string& text)
+{
+  WriteBytes(name, text.data(), text.size());
 }
 
 } // namespace Command

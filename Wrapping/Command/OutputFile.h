@@ -6,23 +6,17 @@
 #ifndef FlipFreeCommandOutputFile_h
 #define FlipFreeCommandOutputFile_h
 
+#include "OutputNames.h"
+
 #include "AtomicFile.h"
 
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Command
 {
-
-/// Whether a file's name has one of these endings, in small or capital letters.
-bool HasEnding(const std::string& name, const std::vector<std::string>& endings);
-
-/// Throws WrongUsage, naming the option, unless the name has one of the endings.
-void RequireEnding(const std::string& option, const std::string& name,
-  const std::vector<std::string>& endings);
 
 /// Makes the folder unless it is there; its parent must be. One that was made and into which
 /// nothing came goes again.
@@ -49,6 +43,9 @@ public:
   void Announce(const std::string& option, const std::string& name,
     const std::vector<std::string>& inputs = {});
 
+  /// The same as a function.
+  Command::Announce Announcing();
+
   /// Lets `write` make the file under the temporary name that it is called with. Throws Failure.
   void Write(const std::string& name, const std::function<void(const std::string&)>& write);
 
@@ -57,12 +54,13 @@ public:
   void Commit();
 
 private:
-  std::vector<std::pair<std::string, std::string>> Announced; // option and name
+  OutputNames Announced;
   std::vector<std::unique_ptr<FlipFree::AtomicFile>> Files;
 };
 
-/// Writes bytes into a file; throws Failure where they do not all arrive.
+/// Write a file; throw Failure where not all of it arrives.
 void WriteBytes(const std::string& name, const char* bytes, std::size_t count);
+void WriteText(const std::string& name, const std::string& text);
 
 } // namespace Command
 

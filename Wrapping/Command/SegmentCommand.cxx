@@ -1,26 +1,24 @@
 #include "AskQuestions.h"
 #include "Failure.h"
+#include "FilterPoints.h"
+#include "FilterSettings.h"
+#include "ImageAdapter.h"
 #include "LabelAdapter.h"
 #include "Messages.h"
-#include "Options.h"
 #include "OrganFilter.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "SegmentGroup.h"
-#include "SegmentParameters.h"
-#include "SegmentRequest.h"
+#include "SegmentPlan.h"
 #include "SegmentationReport.h"
-#include "SessionFile.h"
-#include "SessionVessel.h"
 #include "Snapshot.h"
 #include "Subcommands.h"
+#include "Summary.h"
 #include "SurfaceFile.h"
+#include "SurfaceOrigin.h"
 #include "TableFile.h"
 #include "VolumeFile.h"
-
-#include "Deformation/SegmentationParameters.h"
-#include "ParameterTable.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -32,74 +30,17 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
+#include <functional>
 #include <memory>
-#include <sstream>
+#include <optional>
 
 namespace Command
 {
 namespace
 {
-
-using Point = std::array<double, 3>;
-
-void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
-{
-  std::vector<std::string> kept = request.Corrections.StrokeFiles();
-  kept.insert(kept.end(), { request.Input, request.StartLabels, request.Session });
-  std::vector<std::string> inputs = kept;
-  inputs.push_back(request.Corrections.Input());
-  const auto announce =
-    [&](const char* option, const std::string& name, const std::vector<std::string>& others)
-  {
-    if (!name.empty())
-    {
-      outputs.Announce(option, name, others);
-    }
-  };
-  announce("--output", request.Surface, inputs);
-  announce("--labels", request.Labels, inputs);
-  announce("--convergence", request.Convergence, inputs);
-  announce("--questions", request.Questions, inputs);
-  announce("--snapshot", request.Snapshot, inputs);
-  announce("--save-session", request.SessionOut, inputs);
-  // All points may take the place of those that were given.
-  announce("--save-points", request.Corrections.Output(), kept);
-  if (!request.Snapshot.empty())
-  {
-    RequireDisplay();
-  }
-}
-
-/// The seed of that number in LPS millimeters. Throws Failure for a voxel outside the volume.
-Point SeedIn(vtkImageData* image, const SegmentRequest& request, std::size_t number)
-{
-  if (request.SeedVoxel.empty())
-  {
-    return request.Corrections.InLps(request.Seed.data() + 3 * number);
-  }
-  const int* const size = image->GetDimensions();
-  const int* const index = request.SeedVoxel.data() + 3 * number;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (index[axis] < 0 || index[axis] >= size[axis])
-    {
-      std::ostringstream text;
-      text << "--seed-voxel: (" << index[0] << ", " << index[1] << ", " << index[2]
-           << ") lies outside '" << request.Input << "', which has " << size[0] << " x " << size[1]
-           << " x " << size[2] << " voxels. The indices of a voxel count from 0.";
-      throw Failure(text.str());
-    }
-  }
-  Point seed;
-  image->TransformIndexToPhysicalPoint(index, seed.data());
-  return seed;
-}
 
 void WriteResults(const OrganFilter& filter, vtkImageData* image, const SegmentRequest& request,
   OutputFiles& outputs)
@@ -129,17 +70,15 @@ using FilterPointer = std::unique_ptr<OrganFilter>;
 
 FilterPointer MakeVesselFilter(const SegmentRequest& request)
 {
-  try
+  auto filter = vtkSmartPointer<vtkFlipFreeVesselSegmentation>::New();
+  for (const auto& [x, y, z] : request.Repeated.Points)
   {
-    const auto filter = VesselFilterOf(request.Repeated);
-    filter->SetLabelValue(request.Label);
-    return std::make_unique<OrganFilterOf<vtkFlipFreeVesselSegmentation>>(filter);
+    filter->AddPoint(x, y, z);
   }
-  catch (const Failure& failure)
-  {
-    throw Failure("'" + request.Session + "': " + request.Repeated.Name + ": " + failure.what() +
-      ". Correct it, or remove it.");
-  }
+  AddPoints(request.Repeated.Corrections, filter);
+  FlipFree::FilterSettings::Set(filter, VesselSettingsOf(request));
+  filter->SetLabelValue(request.Label);
+  return std::make_unique<OrganFilterOf<vtkFlipFreeVesselSegmentation>>(filter);
 }
 
 /// Throws WrongUsage for parameters that the filter does not take.
@@ -150,29 +89,27 @@ FilterPointer FilterOf(const SegmentRequest& request)
     return MakeVesselFilter(request);
   }
   auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
-  request.Parameters.Apply(filter);
+  FlipFree::FilterSettings::Set(filter, request.Parameters.Settings());
   filter->SetLabelValue(request.Label);
   filter->SetKeepForCorrections(request.Asks);
-  AddPoints(request.Session.empty() ? request.Corrections.Points() : request.Repeated.Corrections,
-    filter);
+  AddPoints(request.Points(), filter);
   return std::make_unique<OrganFilterOf<vtkFlipFreeSegmentation>>(filter);
 }
 
 void AddSeeds(vtkImageData* image, const SegmentRequest& request, vtkFlipFreeSegmentation* filter)
 {
-  for (std::size_t number = 0; number < request.Radius.size(); ++number)
-  {
-    const auto [x, y, z] = SeedIn(image, request, number);
-    if (number == 0)
+  const int* const size = image->GetDimensions();
+  const std::vector<CorrectionPoint> seeds = request.Seeds({ { size[0], size[1], size[2] } },
+    [image](const std::array<int, 3>& index)
     {
-      filter->SetSeedCenter(x, y, z);
-      filter->SetSeedRadius(request.Radius[number]);
-    }
-    else
-    {
-      filter->AddSeed(x, y, z, request.Radius[number]);
-    }
-  }
+      std::array<double, 3> place;
+      image->TransformIndexToPhysicalPoint(index.data(), place.data());
+      return place;
+    });
+  const auto& [x, y, z] = seeds.front().Place;
+  filter->SetSeedCenter(x, y, z);
+  filter->SetSeedRadius(seeds.front().Radius);
+  AddPoints({ seeds.begin() + 1, seeds.end() }, filter);
 }
 
 /// A choice among several labels that nobody made.
@@ -214,23 +151,14 @@ void Update(const SegmentRequest& request, const OrganFilter& filter)
   }
 }
 
-std::string WhyNoQuestions(const SegmentRequest& request, vtkFlipFreeSegmentation* organ)
-{
-  if (!request.StartLabels.empty())
-  {
-    return "a start from labels has no questions";
-  }
-  return organ->GetFeature()->GetCarving() ? "no part alone is in doubt"
-                                           : "questions come with --carving";
-}
-
 /// Asks once, segments again by the answers, and returns their points.
 std::vector<CorrectionPoint> Ask(const SegmentRequest& request, const OrganFilter& filter)
 {
   auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
   if (organ->GetQuestions()->GetNumberOfRows() == 0)
   {
-    WriteToUser("--ask: there is nothing to ask; " + WhyNoQuestions(request, organ) + ".\n");
+    WriteToUser(
+      NothingToAskText(!request.StartLabels.empty(), organ->GetFeature()->GetCarving() != 0));
   }
   std::vector<CorrectionPoint> answers = AskQuestions(organ->GetQuestions());
   if (!answers.empty())
@@ -294,13 +222,12 @@ OriginNames AllNamesOf(const std::vector<SegmentRequest>& organs)
   return all;
 }
 
-void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
+void SegmentOrgans(std::vector<SegmentRequest> organs, const std::optional<Session>& session,
+  OutputFiles& outputs)
 {
   std::vector<FilterPointer> filters;
-  OutputFiles outputs;
   for (const SegmentRequest& organ : organs)
   {
-    AnnounceOutputs(organ, outputs);
     filters.push_back(FilterOf(organ));
   }
   const SegmentRequest& first = organs.front();
@@ -311,7 +238,7 @@ void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
   if (session)
   {
-    RequireImageOf(*session, first.Input, image);
+    RequireImageOf(*session, first.Input, FlipFree::GeometryOf(image));
   }
 
   for (SegmentRequest& organ : organs)
@@ -348,14 +275,14 @@ void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
         NamedProvenance(ProvenanceOf(filters[organ]->Surface()), NamesOf(organs[organ])));
     }
     outputs.Write(first.SessionOut,
-      [&sessions](const std::string& name) { WriteSession(name, sessions); });
+      [&sessions](const std::string& name) { WriteText(name, SessionText(name, sessions)); });
   }
   if (!first.Corrections.Output().empty())
   {
     std::vector<CorrectionPoint> points = first.Corrections.Points();
     points.insert(points.end(), answers.begin(), answers.end());
     outputs.Write(first.Corrections.Output(),
-      [&points](const std::string& name) { WritePoints(name, points); });
+      [&points](const std::string& name) { WriteText(name, TextOfPoints(name, points)); });
   }
   outputs.Commit();
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
@@ -364,74 +291,29 @@ void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
   }
 }
 
+} // namespace
+
 void Segment(const SegmentRequest& request)
 {
   if (request.Quiet)
   {
     ProgressBar::Disable();
   }
-  ValidateRequest(request);
-  if (request.Several.HasOrgans())
+  const SegmentPlan plan = PlanOf(request);
+  OutputFiles outputs;
+  AnnounceOutputs(plan, outputs.Announcing());
+  if (!request.Snapshot.empty())
   {
-    SegmentGroup(request, request.Several.Organs(request.Corrections),
-      request.Several.FixedSurfaces(), nullptr);
-    return;
+    RequireDisplay();
   }
-  if (request.Session.empty())
+  if (plan.Group.empty())
   {
-    SegmentOrgans({ request }, nullptr);
-    return;
+    SegmentOrgans(plan.Organs, plan.From, outputs);
   }
-  const Session session = ReadSession(request.Session);
-  SegmentRequest given = request;
-  if (given.Input.empty())
+  else
   {
-    given.Input = ImageBeside(session);
+    SegmentGroup(plan, outputs);
   }
-  if (given.SeriesUID.empty() && MayHoldSeries(given.Input))
-  {
-    given.SeriesUID = session.SeriesUID;
-  }
-  if (session.Together)
-  {
-    const std::vector<GivenOrgan> organs = GroupOf(session, given);
-    SegmentGroup(given, organs, FixedOf(session), &session);
-    return;
-  }
-  SegmentOrgans(OrgansOf(session, given), &session);
-}
-
-} // namespace
-
-void AddSegmentCommand(CLI::App& program)
-{
-  const auto request = std::make_shared<SegmentRequest>();
-  CLI::App* command = AddCommand(program, "segment");
-  AddOption(*command, "INPUT", request->Input);
-  AddOption(*command, "--session", request->Session);
-  AddOption(*command, "--series", request->SeriesUID);
-  AddOption(*command, "--seed", request->Seed);
-  AddOption(*command, "--seed-voxel", request->SeedVoxel);
-  AddOption(*command, "--radius", request->Radius);
-  AddOption(*command, "--start-labels", request->StartLabels);
-  AddOption(*command, "--start-label", request->StartLabel)->needs("--start-labels");
-  AddOption(*command, "--output", request->Surface);
-  AddOption(*command, "--labels", request->Labels);
-  AddOption(*command, "--convergence", request->Convergence);
-  AddOption(*command, "--questions", request->Questions);
-  AddOption(*command, "--ask", request->Asks);
-  AddOption(*command, "--snapshot", request->Snapshot);
-  AddOption(*command, "--save-session", request->SessionOut);
-  const auto* const label =
-    FlipFree::FindParameter(FlipFree::SegmentationParameters(), "LabelValue");
-  AddOption(*command, "--label-value", request->Label)
-    ->check(CLI::Range(static_cast<int>(label->Minimum), static_cast<int>(label->Maximum)));
-  AddThreadsOption(*command, request->Threads);
-  AddOption(*command, "--quiet", request->Quiet);
-  request->Corrections.AddOptions(*command);
-  request->Several.AddOptions(*command);
-  request->Parameters.AddOptions(*command);
-  command->callback([request]() { Segment(*request); });
 }
 
 } // namespace Command

@@ -1,11 +1,14 @@
 #include "SegmentGroup.h"
 
 #include "Failure.h"
-#include "OutputFile.h"
+#include "FilterSettings.h"
+#include "ImageAdapter.h"
 #include "Run.h"
 #include "SegmentationReport.h"
 #include "Snapshot.h"
+#include "Summary.h"
 #include "SurfaceFile.h"
+#include "SurfaceOrigin.h"
 #include "TableFile.h"
 #include "VolumeFile.h"
 
@@ -20,7 +23,6 @@
 #include "vtkVariant.h"
 
 #include <chrono>
-#include <cstdio>
 #include <functional>
 
 namespace Command
@@ -53,23 +55,6 @@ void AddOrgan(const GivenOrgan& organ, vtkFlipFreeOrganGroup* group)
   }
 }
 
-/// The outputs of one organ.
-struct OrganFiles
-{
-  std::string Surface;
-  std::string Convergence;
-  std::string Questions;
-  std::string Snapshot;
-
-  OrganFiles(const SegmentRequest& given, const GivenOrgan& organ)
-    : Surface(NameFor(organ.FileName(), given.Surface))
-    , Convergence(NameFor(organ.FileName(), given.Convergence))
-    , Questions(NameFor(organ.FileName(), given.Questions))
-    , Snapshot(NameFor(organ.FileName(), given.Snapshot))
-  {
-  }
-};
-
 void PrintReport(vtkFlipFreeOrganGroup* group, const std::string& input, double readingSeconds)
 {
   vtkTable* const table = group->GetTable();
@@ -77,81 +62,47 @@ void PrintReport(vtkFlipFreeOrganGroup* group, const std::string& input, double 
   {
     const auto number = [&](const char* column)
     { return table->GetValueByName(row, column).ToDouble(); };
-    std::printf("%s, %s: label %.0f, volume %.1f ml, %.0f iterations, %s, %.0f "
-                "self-intersections, confidence %s\n",
-      input.c_str(), table->GetValueByName(row, "Organ").ToString().c_str(), number("Label"),
-      VolumeInMilliliters(group->GetSurface(static_cast<int>(row))), number("Iterations"),
-      table->GetValueByName(row, "StopReason").ToString().c_str(), number("SelfIntersections"),
-      ConfidenceText(number("Confidence")).c_str());
+    const OrganSummary organ{ input, VolumeInMilliliters(group->GetSurface(static_cast<int>(row))),
+      static_cast<int>(number("Iterations")), table->GetValueByName(row, "StopReason").ToString(),
+      static_cast<int>(number("SelfIntersections")) };
+    PrintSummary(GroupText(organ, table->GetValueByName(row, "Organ").ToString(),
+      static_cast<int>(number("Label")), number("Confidence")));
   }
-  double seconds[4];
-  group->GetStageSeconds(seconds);
-  std::printf("%s: organs do not meet; reading %.2f s, smoothing %.2f s, feature %.2f s, "
-              "deformation %.2f s, label map %.2f s\n",
-    input.c_str(), readingSeconds, seconds[0], seconds[1], seconds[2], seconds[3]);
-  std::fflush(stdout);
+  StageSeconds seconds;
+  group->GetStageSeconds(seconds.data());
+  PrintSummary(GroupEndText(input, readingSeconds, seconds));
 }
 
 /// One run of the command.
 class GroupRun
 {
 public:
-  GroupRun(const SegmentRequest& request, const std::vector<GivenOrgan>& organs,
-    const std::vector<std::string>& fixedSurfaces)
-    : Given(request)
-    , Organs(organs)
-    , Fixed(fixedSurfaces)
+  GroupRun(const SegmentPlan& plan, OutputFiles& outputs)
+    : Plan(plan)
+    , Given(plan.Given)
+    , Outputs(outputs)
   {
-    this->Names.Image = request.Input;
-    this->Names.Fixed = fixedSurfaces;
-    for (const GivenOrgan& organ : organs)
+    this->Names.Image = this->Given.Input;
+    this->Names.Fixed = plan.Fixed;
+    for (const GivenOrgan& organ : plan.Group)
     {
-      this->Files.emplace_back(request, organ);
       this->Names.Organs.push_back(organ.Name);
       this->Names.Colors.push_back(organ.Color);
     }
   }
 
-  /// Before the work is done.
-  void AnnounceFiles()
-  {
-    std::vector<std::string> inputs = this->Given.Corrections.StrokeFiles();
-    inputs.insert(inputs.end(), { this->Given.Input, this->Given.Session });
-    inputs.insert(inputs.end(), this->Fixed.begin(), this->Fixed.end());
-    const auto announce = [&](const char* option, const std::string& name)
-    {
-      if (!name.empty())
-      {
-        this->Outputs.Announce(option, name, inputs);
-      }
-    };
-    announce("--labels", this->Given.Labels);
-    announce("--save-session", this->Given.SessionOut);
-    for (const OrganFiles& files : this->Files)
-    {
-      announce("--output", files.Surface);
-      announce("--convergence", files.Convergence);
-      announce("--questions", files.Questions);
-      announce("--snapshot", files.Snapshot);
-    }
-    if (!this->Given.Snapshot.empty())
-    {
-      RequireDisplay();
-    }
-  }
-
-  void Read(const Session* session)
+  void Read()
   {
     const auto start = std::chrono::steady_clock::now();
     this->Image = ReadVolume(this->Given.Input, this->Given.SeriesUID);
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
     this->ReadingSeconds = reading.count();
     this->Names.Series = SeriesOf(this->Image);
-    if (session)
+    if (this->Plan.From)
     {
-      RequireImageOf(*session, this->Given.Input, this->Image);
+      RequireImageOf(*this->Plan.From, this->Given.Input, FlipFree::GeometryOf(this->Image));
     }
-    for (const std::string& fixed : this->Fixed)
+    for (const std::string& fixed : this->Plan.Fixed)
     {
       this->Group->AddFixedData(ReadSurface(fixed));
     }
@@ -159,10 +110,10 @@ public:
 
   void Segment()
   {
-    this->Given.Parameters.Apply(this->Group->GetParameters());
+    FlipFree::FilterSettings::Set(this->Group->GetParameters(), this->Given.Parameters.Settings());
     this->Group->SetLabelValue(this->Given.Label);
     this->Group->SetInputData(this->Image);
-    for (const GivenOrgan& organ : this->Organs)
+    for (const GivenOrgan& organ : this->Plan.Group)
     {
       AddOrgan(organ, this->Group);
     }
@@ -174,28 +125,30 @@ public:
     {
       throw Failure("'" + this->Given.Input + "': " + failure.what());
     }
-    for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+    for (std::size_t organ = 0; organ < this->Plan.Group.size(); ++organ)
     {
       if (this->Group->GetStopReason(static_cast<int>(organ)) ==
         vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
       {
-        throw Failure("'" + this->Given.Input + "': No segmentation: '" + this->Organs[organ].Name +
-          "': " + NoBoundaryText);
+        throw Failure("'" + this->Given.Input + "': No segmentation: '" +
+          this->Plan.Group[organ].Name + "': " + NoBoundaryText);
       }
     }
   }
 
   void Write()
   {
-    for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+    for (std::size_t organ = 0; organ < this->Plan.Group.size(); ++organ)
     {
-      this->WriteOrgan(static_cast<int>(organ), this->Files[organ]);
+      this->WriteOrgan(static_cast<int>(organ),
+        WithFilesOf(this->Plan.Group[organ].FileName(), this->Given));
     }
     this->WriteIfNamed(this->Given.SessionOut,
       [this](const std::string& name)
       {
-        WriteSession(name,
-          { NamedProvenance(ProvenanceOf(this->Group->GetSurface(0)), this->Names) });
+        WriteText(name,
+          SessionText(name,
+            { NamedProvenance(ProvenanceOf(this->Group->GetSurface(0)), this->Names) }));
       });
     this->WriteIfNamed(this->Given.Labels,
       [this](const std::string& name)
@@ -221,7 +174,7 @@ private:
     }
   }
 
-  void WriteOrgan(int organ, const OrganFiles& files)
+  void WriteOrgan(int organ, const SegmentRequest& files)
   {
     vtkPolyData* const surface = this->Group->GetSurface(organ);
     this->WriteIfNamed(files.Surface,
@@ -234,12 +187,10 @@ private:
       [&](const std::string& name) { WriteSnapshot(name, this->Image, surface); });
   }
 
+  const SegmentPlan& Plan;
   const SegmentRequest& Given;
-  const std::vector<GivenOrgan>& Organs;
-  const std::vector<std::string>& Fixed;
-  std::vector<OrganFiles> Files;
+  OutputFiles& Outputs;
   OriginNames Names;
-  OutputFiles Outputs;
   vtkSmartPointer<vtkImageData> Image;
   double ReadingSeconds = 0;
   vtkNew<vtkFlipFreeOrganGroup> Group;
@@ -247,16 +198,14 @@ private:
 
 } // namespace
 
-void SegmentGroup(const SegmentRequest& request, const std::vector<GivenOrgan>& organs,
-  const std::vector<std::string>& fixedSurfaces, const Session* session)
+void SegmentGroup(const SegmentPlan& plan, OutputFiles& outputs)
 {
-  GroupRun run(request, organs, fixedSurfaces);
-  run.AnnounceFiles();
-  vtkSMPTools::Initialize(request.Threads);
-  run.Read(session);
+  GroupRun run(plan, outputs);
+  vtkSMPTools::Initialize(plan.Given.Threads);
+  run.Read();
   run.Segment();
   run.Write();
-  if (!request.Quiet)
+  if (!plan.Given.Quiet)
   {
     run.Report();
   }

@@ -4,15 +4,15 @@
 #ifndef FlipFreeCommandSegmentGroup_h
 #define FlipFreeCommandSegmentGroup_h
 
-#include "SegmentRequest.h"
+#include "OutputFile.h"
+#include "SegmentPlan.h"
 
 namespace Command
 {
 
-/// Segments, writes and reports organs that keep off each other and the files of surfaces that are
-/// `fixed`; the session that they come from may be null. Throws Failure.
-void SegmentGroup(const SegmentRequest& request, const std::vector<GivenOrgan>& organs,
-  const std::vector<std::string>& fixedSurfaces, const Session* session);
+/// Segments, writes and reports the organs of the plan; its files have been announced. Throws
+/// Failure.
+void SegmentGroup(const SegmentPlan& plan, OutputFiles& outputs);
 
 } // namespace Command
 

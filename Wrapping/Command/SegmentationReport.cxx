@@ -2,6 +2,7 @@
 
 #include "MeshAdapter.h"
 #include "Messages.h"
+#include "Summary.h"
 
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
@@ -11,7 +12,6 @@
 
 #include "Mesh/SurfaceTopology.h"
 
-#include <cmath>
 #include <cstdio>
 
 namespace Command
@@ -19,34 +19,18 @@ namespace Command
 namespace
 {
 
-/// How far an organ or a vessel can be trusted.
-std::string TrustText(const OrganFilter& filter)
+std::string SummaryOf(const OrganFilter& filter, const SegmentRequest& request,
+  double readingSeconds)
 {
+  const OrganSummary summary{ TitleOf(request, ""), VolumeInMilliliters(filter.Surface()),
+    static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText(),
+    filter.SelfIntersections() };
+  if (auto* const vessel = vtkFlipFreeVesselSegmentation::SafeDownCast(filter.Algorithm()))
+  {
+    return VesselText(summary, vessel->GetSupport(), readingSeconds, filter.StageSeconds());
+  }
   auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
-  auto* const vessel = vtkFlipFreeVesselSegmentation::SafeDownCast(filter.Algorithm());
-  if (organ)
-  {
-    return ", confidence " + ConfidenceText(organ->GetConfidence());
-  }
-  char text[32] = "";
-  if (vessel)
-  {
-    std::snprintf(text, sizeof(text), ", support %.2f", vessel->GetSupport());
-  }
-  return text;
-}
-
-void PrintSummary(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds)
-{
-  const auto [first, second, third, fourth] = filter.StageSeconds();
-  const bool isVessel = request.IsVessel();
-  std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections%s; reading %.2f s, "
-              "%s %.2f s, %s %.2f s, deformation %.2f s, label map %.2f s\n",
-    TitleOf(request, "").c_str(), VolumeInMilliliters(filter.Surface()),
-    static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText().c_str(),
-    filter.SelfIntersections(), TrustText(filter).c_str(), readingSeconds,
-    isVessel ? "path" : "smoothing", first, isVessel ? "start" : "feature", second, third, fourth);
-  std::fflush(stdout);
+  return OrganText(summary, organ->GetConfidence(), readingSeconds, filter.StageSeconds());
 }
 
 bool IsGuarded(const OrganFilter& filter)
@@ -57,11 +41,10 @@ bool IsGuarded(const OrganFilter& filter)
 
 } // namespace
 
-std::string ConfidenceText(double confidence)
+void PrintSummary(const std::string& text)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2f", std::floor(100 * confidence) / 100);
-  return text;
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
 }
 
 double VolumeInMilliliters(vtkPolyData* surface)
@@ -76,12 +59,11 @@ void Report(const OrganFilter& filter, const SegmentRequest& request, double rea
 {
   if (!IsGuarded(filter) && filter.SelfIntersections() == 0)
   {
-    PrintWarning(
-      "The surface is not certified: --guard is off. It does not intersect itself, though.");
+    PrintWarning(NotCertifiedText);
   }
   if (!request.Quiet)
   {
-    PrintSummary(filter, request, readingSeconds);
+    PrintSummary(SummaryOf(filter, request, readingSeconds));
   }
 }
 

@@ -18,9 +18,8 @@ namespace Command
 /// warning where the surface is not certified.
 void Report(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds);
 
-/// With two digits, rounded down as in the warning of a low confidence: a number that has reached
-/// the threshold looks like it, and no other does.
-std::string ConfidenceText(double confidence);
+/// Prints what Summary.h says, at once.
+void PrintSummary(const std::string& text);
 
 /// Where no vertex found a boundary, the surface is not an organ's: nothing is written. Python has
 /// the same words (_boundary_found.py).

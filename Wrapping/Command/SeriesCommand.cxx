@@ -1,10 +1,12 @@
-#include "Failure.h"
+#include "FileFormats.h"
 #include "Messages.h"
-#include "Options.h"
+#include "OtherRequests.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
+#include "SegmentationReport.h"
 #include "Subcommands.h"
+#include "Summary.h"
 #include "TableFile.h"
 
 #include "vtkDoubleArray.h"
@@ -15,56 +17,26 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <cstdio>
-#include <memory>
-#include <sstream>
 #include <string>
+#include <vector>
 
 namespace Command
 {
 namespace
 {
 
-struct SeriesList
+std::vector<SeriesSummary> SummariesOf(vtkMedicalImageReader* reader)
 {
-  std::string Folder;
-  std::string Csv;
-  bool Quiet = false;
-};
-
-std::string SpacingText(const double spacing[3])
-{
-  if (spacing[0] <= 0)
-  {
-    return "-"; // it cannot be read
-  }
-  std::ostringstream text;
-  text << spacing[0] << " x " << spacing[1] << " x " << spacing[2];
-  return text.str();
-}
-
-void PrintSeries(vtkMedicalImageReader* reader)
-{
-  int widest = 3;
+  std::vector<SeriesSummary> list;
   for (int index = 0; index < reader->GetNumberOfSeries(); ++index)
   {
-    widest = std::max(widest, static_cast<int>(reader->GetSeriesUID(index).size()));
+    SeriesSummary series{ reader->GetSeriesNumber(index), reader->GetSeriesUID(index),
+      reader->GetSeriesModality(index), reader->GetSeriesNumberOfSlices(index), {},
+      reader->GetSeriesDescription(index) };
+    reader->GetSeriesSpacing(index, series.Spacing.data());
+    list.push_back(series);
   }
-  std::printf("%6s  %-*s  %-8s  %6s  %-24s  %s\n", "Number", widest, "UID", "Modality", "Slices",
-    "Spacing (mm)", "Description");
-  for (int index = 0; index < reader->GetNumberOfSeries(); ++index)
-  {
-    double spacing[3];
-    reader->GetSeriesSpacing(index, spacing);
-    std::printf("%6s  %-*s  %-8s  %6d  %-24s  %s\n", reader->GetSeriesNumber(index).c_str(), widest,
-      reader->GetSeriesUID(index).c_str(), reader->GetSeriesModality(index).c_str(),
-      reader->GetSeriesNumberOfSlices(index), SpacingText(spacing).c_str(),
-      reader->GetSeriesDescription(index).c_str());
-  }
-  std::fflush(stdout);
+  return list;
 }
 
 void WarnOfProblems(vtkMedicalImageReader* reader)
@@ -119,7 +91,9 @@ vtkSmartPointer<vtkTable> TableOf(vtkMedicalImageReader* reader)
   return table;
 }
 
-void ListSeries(const SeriesList& list)
+} // namespace
+
+void ListSeries(const SeriesRequest& list)
 {
   if (list.Quiet)
   {
@@ -142,21 +116,9 @@ void ListSeries(const SeriesList& list)
   }
   if (!list.Quiet)
   {
-    PrintSeries(reader);
+    PrintSummary(SeriesText(SummariesOf(reader)));
   }
   WarnOfProblems(reader);
-}
-
-} // namespace
-
-void AddSeriesCommand(CLI::App& program)
-{
-  const auto list = std::make_shared<SeriesList>();
-  CLI::App* command = AddCommand(program, "series");
-  AddOption(*command, "FOLDER", list->Folder);
-  AddOption(*command, "--csv", list->Csv);
-  AddOption(*command, "--quiet", list->Quiet);
-  command->callback([list]() { ListSeries(*list); });
 }
 
 } // namespace Command

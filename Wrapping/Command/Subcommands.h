@@ -1,23 +1,25 @@
 /**
- * Each subcommand adds itself to the parser: its options and the function that runs it.
+ * What the subcommands do.
  */
 #ifndef FlipFreeCommandSubcommands_h
 #define FlipFreeCommandSubcommands_h
 
-namespace CLI
-{
-class App;
-}
-
 namespace Command
 {
 
-void AddSegmentCommand(CLI::App& program);
-void AddTraceCommand(CLI::App& program);
-void AddSurfacesCommand(CLI::App& program);
-void AddEvaluateCommand(CLI::App& program);
-void AddSeriesCommand(CLI::App& program);
-void AddPhantomCommand(CLI::App& program);
+struct EvaluateRequest;
+struct PhantomRequest;
+struct SegmentRequest;
+struct SeriesRequest;
+struct SurfacesRequest;
+struct TraceRequest;
+
+void Segment(const SegmentRequest& request);
+void Trace(const TraceRequest& request);
+void MakeSurfaces(const SurfacesRequest& request);
+void Evaluate(const EvaluateRequest& request);
+void ListSeries(const SeriesRequest& request);
+void MakePhantom(const PhantomRequest& request);
 
 } // namespace Command
 

@@ -219,12 +219,6 @@ void RequireValid(vtkPolyData* found, vtkPolyData* surface, const std::string& n
 
 } // namespace
 
-const std::vector<std::string>& SurfaceEndings()
-{
-  static const std::vector<std::string> endings{ ".vtp", ".stl", ".ply", ".obj" };
-  return endings;
-}
-
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
 {
   std::error_code ignored;

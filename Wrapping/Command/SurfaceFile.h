@@ -5,20 +5,17 @@
 #ifndef FlipFreeCommandSurfaceFile_h
 #define FlipFreeCommandSurfaceFile_h
 
+#include "FileFormats.h"
 #include "SessionRecord.h"
 
 #include "vtkSmartPointer.h"
 
 #include <string>
-#include <vector>
 
 class vtkPolyData;
 
 namespace Command
 {
-
-/// The endings of surfaces that can be read and written.
-const std::vector<std::string>& SurfaceEndings();
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name);
 

@@ -1,11 +1,13 @@
 #include "Failure.h"
 #include "LabelNames.h"
 #include "Messages.h"
-#include "Options.h"
+#include "OtherRequests.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
+#include "SegmentationReport.h"
 #include "Subcommands.h"
+#include "Summary.h"
 #include "SurfaceFile.h"
 #include "TableFile.h"
 #include "VolumeFile.h"
@@ -24,30 +26,13 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <limits>
-#include <memory>
+#include <vector>
 
 namespace Command
 {
 namespace
 {
-
-struct SurfacesRequest
-{
-  std::string LabelMap;
-  std::string Folder;
-  std::string Format;
-  std::string Names;
-  std::vector<int> Labels;
-  GivenParameters<FlipFree::LabelSurfaceSettings> Parameters;
-  int Threads = 0;
-  bool Quiet = false;
-};
 
 // LABEL.stl, or LABEL-NAME.stl.
 std::string FileOf(vtkTable* table, vtkIdType row, const std::string& format)
@@ -57,22 +42,19 @@ std::string FileOf(vtkTable* table, vtkIdType row, const std::string& format)
   return label + (name.empty() ? "" : "-" + name) + "." + format;
 }
 
-void Print(vtkTable* table)
+std::vector<LabelSummary> SummariesOf(vtkTable* table)
 {
-  std::printf("%10s  %-24s  %11s  %6s  %9s  %12s\n", "Label", "Name", "Milliliters", "Euler",
-    "Triangles", "Wrong voxels");
+  std::vector<LabelSummary> labels;
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const auto at = [&](const char* column) { return table->GetValueByName(row, column); };
-    const std::string name = at("Name").ToString();
-    // printf() counts bytes, of which letters beyond ASCII have several.
-    const auto more =
-      std::count_if(name.begin(), name.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
-    std::printf("%10d  %-*s  %11.3f  %6d  %9d  %12lld\n", at("Label").ToInt(),
-      24 + static_cast<int>(more), name.c_str(), at("Milliliters").ToDouble(),
-      at("EulerNumber").ToInt(), at("Triangles").ToInt(), at("WrongVoxels").ToLongLong());
+    labels.push_back({ at("Label").ToInt(), at("Name").ToString(), at("Milliliters").ToDouble(),
+      at("EulerNumber").ToInt(), at("Triangles").ToInt(), at("WrongVoxels").ToLongLong() });
   }
+  return labels;
 }
+
+} // namespace
 
 void MakeSurfaces(const SurfacesRequest& request)
 {
@@ -128,40 +110,14 @@ void MakeSurfaces(const SurfacesRequest& request)
   outputs.Commit();
   if (!request.Quiet)
   {
-    Print(table);
-    std::printf(
-      "%lld voxels on the wrong side; vertices lie at most %.2f mm from the corners where "
-      "voxels of different labels meet\n",
-      static_cast<long long>(filter->GetNumberOfWrongVoxels()), filter->GetGreatestDistance());
+    SurfacesSummary summary{ SummariesOf(table), filter->GetNumberOfWrongVoxels(),
+      filter->GetGreatestDistance(), {} };
     if (settings.EdgeLength > 0 || settings.Triangles > 0)
     {
-      std::printf(
-        "%lld triangles; walls lie at most %.2f mm from where they were before edges were "
-        "collapsed\n",
-        static_cast<long long>(filter->GetOutput()->GetNumberOfPolys()),
-        filter->GetCollapseDistance());
+      summary.Collapse = { filter->GetOutput()->GetNumberOfPolys(), filter->GetCollapseDistance() };
     }
-    std::fflush(stdout);
+    PrintSummary(SurfacesText(summary));
   }
-}
-
-} // namespace
-
-void AddSurfacesCommand(CLI::App& program)
-{
-  const auto request = std::make_shared<SurfacesRequest>();
-  CLI::App* command = AddCommand(program, "surfaces");
-  AddOption(*command, "LABELS", request->LabelMap);
-  AddOption(*command, "--output", request->Folder);
-  AddOption(*command, "--format", request->Format);
-  AddOption(*command, "--label", request->Labels)
-    ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  AddOption(*command, "--names", request->Names);
-  request->Parameters.AddOptions(*command, FlipFree::LabelSurfaceParameters());
-  command->get_option("--distance")->excludes(command->get_option("--exact"));
-  AddThreadsOption(*command, request->Threads);
-  AddOption(*command, "--quiet", request->Quiet);
-  command->callback([request]() { MakeSurfaces(*request); });
 }
 
 } // namespace Command

@@ -4,21 +4,16 @@
 #ifndef FlipFreeCommandVolumeFile_h
 #define FlipFreeCommandVolumeFile_h
 
+#include "FileFormats.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
-#include <vector>
 
 class vtkImageData;
 
 namespace Command
 {
-
-/// The endings of label maps that can be written.
-const std::vector<std::string>& VolumeEndings();
-
-/// Whether it is a folder, or a DICOM file of several frames.
-bool MayHoldSeries(const std::string& name);
 
 /// Reads a volume from a file or a DICOM folder; of several series, the one with the given UID, or
 /// else the one with the most slices.
@@ -36,14 +31,8 @@ struct ChosenLabels
 /// a segmentation of 3D Slicer may have but one layer.
 ChosenLabels ReadLabels(const std::string& name, const std::string& label);
 
-/// Whether a text can choose a label: whatever is not a number other than a value.
-bool IsLabel(const std::string& text);
-
 /// The DICOM series that a volume was read from, as ReadVolume() takes it; empty for other files.
 std::string SeriesOf(vtkImageData* image);
-
-/// What a summary calls a volume: the file, or the folder and the series in it.
-std::string InputTitle(const std::string& name, const std::string& seriesUID);
 
 void WriteVolume(const std::string& name, vtkImageData* image);
 

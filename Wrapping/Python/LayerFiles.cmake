@@ -18,6 +18,7 @@ set(FLIPFREE_LAYER_FILES
   _progress.py
   _provenance.py
   _questions.py
+  _result.py
   _segment.py
   _segment_organs.py
   _series.py

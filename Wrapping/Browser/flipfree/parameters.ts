@@ -16,6 +16,9 @@ export function packageName(kernelName: string): string {
 export function kernelValues(parameters: Parameters, known: KernelParameter[]): Record<string, number[]> {
   const values: Record<string, number[]> = {};
   for (const [name, value] of Object.entries(parameters)) {
+    if (value === undefined) {
+      continue;
+    }
     const parameter = known.find((candidate) => packageName(candidate.name) === name);
     if (!parameter) {
       const names = known.map((candidate) => packageName(candidate.name));

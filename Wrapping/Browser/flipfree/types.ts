@@ -1,4 +1,5 @@
 /** What goes in and out. Coordinates are LPS millimeters, as in DICOM; voxels are stored with x fastest. */
+import type { PhantomParameters, ScoreParameters, SegmentationParameters, VesselParameters } from "./parametertypes.js";
 
 export type Triple = readonly [number, number, number];
 export type Voxels =
@@ -114,10 +115,12 @@ export interface Corrections {
   seeds?: readonly Seed[];
 }
 
+export type { PhantomParameters, ScoreParameters, SegmentationParameters, VesselParameters };
+
 export type Preset = "default" | "published" | "naive";
 
-/** By name, such as { foregroundMass: 0.9, carving: false }; `defaultParameters()` has all of them. */
-export type Parameters = Record<string, number | boolean | readonly number[]>;
+/** Of whichever kind, by name, such as { foregroundMass: 0.9, carving: false }; `defaultParameters()` has those of an organ. */
+export type Parameters = Record<string, number | boolean | readonly number[] | undefined>;
 
 /** What a run finds. */
 export interface Segmentation {
@@ -245,22 +248,19 @@ export interface ReadOptions extends RunOptions {
 
 export interface SegmentOptions extends RunOptions, Corrections {
   preset?: Preset;
-  parameters?: Parameters;
+  parameters?: SegmentationParameters;
 }
 
 export interface TraceOptions extends RunOptions {
-  /** radius, wallThickness, modality, levels, maximumIterations. */
-  parameters?: Parameters;
+  parameters?: VesselParameters;
 }
 
 export interface EvaluateOptions extends RunOptions {
-  /** segmentationLabel, referenceLabel, sampleSpacing, labelSmoothing, scoreVoxelization. */
-  parameters?: Parameters;
+  parameters?: ScoreParameters;
 }
 
 export interface PhantomOptions extends RunOptions {
-  /** size, spacing, origin, direction, noiseStandardDeviation, randomSeed, numberOfLesions, ... */
-  parameters?: Parameters;
+  parameters?: PhantomParameters;
 }
 
 /** What is wrong with the input, and what to do. */

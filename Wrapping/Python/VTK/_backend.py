@@ -11,7 +11,7 @@ from . import _pickles as _pickles  # of what results hold
 from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._images import series_of
-from ._parameters import names_of, snake_case
+from ._parameters import ARGUMENTS, names_of, of_several_organs, snake_case
 from ._properties import Property, properties_of
 from ._provenance import with_series
 from ._questions import questions_of
@@ -58,18 +58,8 @@ SEGMENT_PARAMETERS = properties_of(
     ),
 )
 RADIUS = Property("radius", "SeedRadius", float, "")
-NAMES = {
-    **names_of(SEGMENT_PARAMETERS),
-    "SeedCenter": "seed",
-    "SeedRadius": "radius",
-    "StartLabel": "start_label",
-    "AddInsidePoint": "inside",
-    "AddOutsidePoint": "outside",
-}
-# A history is of one organ.
-GROUP_PARAMETERS = {
-    name: parameter for name, parameter in SEGMENT_PARAMETERS.items() if name != "keep_history"
-}
+NAMES = {**names_of(SEGMENT_PARAMETERS), **ARGUMENTS}
+GROUP_PARAMETERS = of_several_organs(SEGMENT_PARAMETERS)
 TRACE_PARAMETERS = properties_of(vtkFlipFreeVesselSegmentation())
 EVALUATE_PARAMETERS = properties_of(vtkSegmentationMetrics())
 SURFACES_PARAMETERS = properties_of(vtkFlipFreeLabelSurfaces())
@@ -164,6 +154,7 @@ class GroupAlgorithm:
                 stop_reason=group.GetStopReasonAsString(organ),
                 boundary_found=_has_boundary(group.GetStopReason(organ)),
                 self_intersections=group.GetNumberOfSelfIntersections(organ),
+                stage_seconds=tuple(group.GetStageSeconds()),
                 constraints=constraints,
                 questions=questions_of(columns_of(group.GetQuestions(organ))),
             )
@@ -200,7 +191,6 @@ class VesselAlgorithm:
         return Vessel(
             **_found(self.settings, image),
             centerline=_detached(self.settings.GetCenterline()),
-            stage_seconds=tuple(self.settings.GetStageSeconds()),
             support=self.settings.GetSupport(),
             confidence=self.settings.GetConfidence(),
         )
@@ -299,6 +289,7 @@ def _found(algorithm: Any, image: vtkImageData) -> dict[str, Any]:
         "stop_reason": algorithm.GetStopReasonAsString(),
         "boundary_found": _has_boundary(algorithm.GetStopReason()),
         "self_intersections": algorithm.GetNumberOfSelfIntersections(),
+        "stage_seconds": tuple(algorithm.GetStageSeconds()),
     }
 
 

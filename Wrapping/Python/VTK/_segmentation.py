@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 
-from ._corrections import Constraint, Correctable
-from ._faces import Faces
 from ._image_arrays import voxels_in
-from ._questions import Question
+from ._result import GIVEN, Result, VesselMeasures
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -26,43 +24,16 @@ def columns_of(table: vtkTable) -> dict[str, npt.NDArray[Any]]:
 
 
 @dataclass(frozen=True, repr=False)
-class Segmentation(Faces, Correctable):
+class Segmentation(Result):
     """An organ. Coordinates are the image's physical millimeters."""
 
-    surface: vtkPolyData
+    label_map: vtkImageData
+
+    surface: vtkPolyData = GIVEN
     """Closed, with the point arrays `Displacement`, `Correspondence` and, for an organ, `Confidence`."""
 
-    label_map: vtkImageData
-    """Has the image's geometry; label_value inside, 0 outside; of several organs, that of all."""
-
-    convergence: vtkTable
+    convergence: vtkTable = GIVEN
     """A row per iteration; `iterations` has its columns as arrays."""
-
-    stop_reason: str
-    """Such as 'converged'; vtkFlipFreeSegmentation.GetStopReasonAsString() lists them."""
-
-    boundary_found: bool
-    """Whether any vertex found the boundary.
-
-    Where none did, segment(), segment_organs() and trace() raise an error.
-    """
-
-    self_intersections: int
-    """Pairs of faces that intersect for some way to cut them: 0, unless the guard was switched off."""
-
-    history: tuple[vtkPolyData, ...] = ()
-    """The surface after each iteration, with keep_history."""
-
-    constraints: tuple[Constraint, ...] = ()
-    """The points that the surface obeys, and further seeds."""
-
-    questions: tuple[Question, ...] = ()
-    """Parts of which the segmentation is not sure, those first where an answer is worth most.
-
-    There are at most five; answered() answers them. A vessel has none.
-    """
-
-    _again: Any = field(default=None, compare=False)
 
     @property
     def points(self) -> npt.NDArray[Any]:
@@ -74,10 +45,7 @@ class Segmentation(Faces, Correctable):
 
     @property
     def confidence(self) -> float:
-        """How far the result can be trusted, 0 to 1; doubtful below 0.85, which a FlipFreeWarning says.
-
-        nan for a vessel.
-        """
+        """How far the result can be trusted, 0 to 1; doubtful below 0.85, which a FlipFreeWarning says."""
         confidence = self.surface.GetFieldData().GetArray("Confidence")
         return math.nan if confidence is None else float(confidence.GetTuple1(0))
 
@@ -108,13 +76,6 @@ class Segmentation(Faces, Correctable):
         """The columns of the convergence table: Iteration, MeanDistance and so on."""
         return columns_of(self.convergence)
 
-    def __repr__(self) -> str:
-        return (
-            f"<{type(self).__name__}: {self.surface.GetNumberOfPoints()} vertices, "
-            f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
-            f"{self.convergence.GetNumberOfRows()} iterations>"
-        )
-
     def cells(self) -> tuple[Any, Any]:
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -123,21 +84,11 @@ class Segmentation(Faces, Correctable):
 
 
 @dataclass(frozen=True, repr=False)
-class Vessel(Segmentation):
+class Vessel(VesselMeasures, Segmentation):
     """A vessel, or a tree of vessels. Coordinates are the image's physical millimeters."""
 
-    centerline: vtkPolyData = None
+    centerline: vtkPolyData = GIVEN
     """A poly line per branch, with the point arrays `Radius` and `ArcLength`, in mm."""
-
-    stage_seconds: tuple[float, ...] = ()
-    """Of path and outline, start surface, deformation, label map."""
-
-    support: float = math.nan
-    """The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1."""
-
-    confidence: float = math.nan
-    """How far the vessel can be trusted, where least, 0 to 1: how well the image shows its outline, and how
-    like the vessel is what the path runs through. Doubtful below 0.45, which a FlipFreeWarning says."""
 
     @property
     def branches(self) -> list[dict[str, Any]]:

@@ -19,13 +19,13 @@
 namespace FlipFree
 {
 
+void BindCommand(nanobind::module_& module);
 void BindSegmentation(nanobind::module_& module);
 void BindVessels(nanobind::module_& module);
 void BindDicom(nanobind::module_& module);
 void BindEvaluation(nanobind::module_& module);
 void BindExchange(nanobind::module_& module);
 void BindLabels(nanobind::module_& module);
-void BindOptions(nanobind::module_& module);
 void BindPhantoms(nanobind::module_& module);
 
 /// The parameters of some settings: names, types ("bool", "int", "float") and numbers.

@@ -5,7 +5,6 @@
 #include "Exchange/FileNames.h"
 #include "Exchange/LabelNameTable.h"
 #include "Exchange/NiftiHeader.h"
-#include "Exchange/PointTable.h"
 #include "Exchange/PolygonFile.h"
 #include "Exchange/TableText.h"
 #include "Exchange/VolumeFileHeader.h"
@@ -119,42 +118,12 @@ nb::tuple PolygonsIn(const std::string& name, const nb::bytes& bytes)
     ArrayOf<int>(std::move(offsets), { offsetCount }));
 }
 
-std::array<double, 3> TripleOf(const Eigen::Vector3d& place)
-{
-  return { { place[0], place[1], place[2] } };
-}
-
-// The number of the kind, the place and the radius of each.
-std::vector<nb::tuple> ConstraintsIn(const std::string& name, const std::string& text,
-  const std::string& whatTakesPlaces)
-{
-  std::vector<nb::tuple> rows;
-  for (const PointConstraint& point : ReadConstraintTable(name, text, whatTakesPlaces))
-  {
-    rows.push_back(
-      nb::make_tuple(static_cast<int>(point.Kind), TripleOf(point.Point), point.Radius));
-  }
-  return rows;
-}
-
-std::vector<std::array<double, 3>> PlacesIn(const std::string& name, const std::string& text)
-{
-  std::vector<std::array<double, 3>> places;
-  for (const Eigen::Vector3d& place : ReadPlaceTable(name, text))
-  {
-    places.push_back(TripleOf(place));
-  }
-  return places;
-}
-
 } // namespace
 
 void BindExchange(nb::module_& module)
 {
   module.def("read_table", &TableOf);
   module.def("with_decimal_points", &WithDecimalPoints);
-  module.def("read_constraint_table", &ConstraintsIn);
-  module.def("read_place_table", &PlacesIn);
   module.def("read_polygons", &PolygonsIn);
   module.def("validate_vtp",
     [](const std::string& name, const nb::bytes& bytes) { ValidateVtp(name, TextOf(bytes)); });

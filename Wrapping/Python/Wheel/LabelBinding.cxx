@@ -6,7 +6,6 @@
 
 #include "Exchange/SegmentationLayers.h"
 #include "Image/GridCheck.h"
-#include "Image/LatticePlacement.h"
 #include "LabelSurface/LabelSurfaceParameters.h"
 
 #include <nanobind/stl/array.h>
@@ -18,25 +17,6 @@ namespace FlipFree
 {
 namespace
 {
-
-// Size, spacing, origin and direction.
-using GridRow = std::tuple<std::array<int, 3>, Triple, Triple, Nine>;
-
-ImageGeometry GridOf(const GridRow& row)
-{
-  const auto& [size, spacing, origin, direction] = row;
-  ImageGeometry geometry;
-  geometry.Dimensions = size;
-  geometry.Spacing = Eigen::Vector3d(spacing.data());
-  geometry.Origin = Eigen::Vector3d(origin.data());
-  geometry.Direction = Eigen::Map<const RowMajorMatrix>(direction.data());
-  return geometry;
-}
-
-bool AreSamePlaces(const GridRow& one, const GridRow& other)
-{
-  return HaveSamePlaces(GridOf(one), GridOf(other));
-}
 
 // The layer of a file, and the value of the label if one was chosen.
 std::pair<int, std::optional<int>> ChooseLabelOf(const VolumeFileHeader& header,
@@ -129,7 +109,6 @@ void BindLabels(nb::module_& module)
   module.def("choose_label", &ChooseLabelOf);
   module.def("choose_value", &ChooseValueOf);
   module.def("label_names", &LabelNamesOf);
-  module.def("have_same_places", &AreSamePlaces);
   BindSettings<LabelSurfaceSettings>(module, "LabelSurfaceSettings", &LabelSurfaceParameters)
     .def(nb::init<>());
   module.def("make_surfaces", &MakeSurfaces);

@@ -45,12 +45,12 @@ NB_MODULE(_kernels, module)
 {
   BindError(module);
   static const nanobind::exception<FlipFree::FileProblem> problem(module, "FileProblem");
+  FlipFree::BindCommand(module);
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindDicom(module);
   FlipFree::BindExchange(module);
   FlipFree::BindLabels(module);
-  FlipFree::BindOptions(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);
   module.attr("SEED_RADII") =

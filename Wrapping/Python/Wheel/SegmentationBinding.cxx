@@ -132,6 +132,7 @@ nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple&
   }
   answer["boundary_found"] = organ.Reason != StopReason::NoBoundaryFound;
   answer["self_intersections"] = organ.SelfIntersections;
+  answer["stage_seconds"] = result.StageSeconds;
   answer["iterations"] = ColumnsOf(organ.Iterations);
   if (!noLabels.empty())
   {
@@ -189,6 +190,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
     entry["stop_reason"] = std::string(ToString(organ.Reason));
     entry["boundary_found"] = organ.Reason != StopReason::NoBoundaryFound;
     entry["self_intersections"] = organ.SelfIntersections;
+    entry["stage_seconds"] = result.StageSeconds;
     entry["iterations"] = ColumnsOf(organ.Iterations);
     entry["warnings"] = result.Warnings;
     entry["questions"] = ColumnsOf(QuestionColumns(), result.Questions);

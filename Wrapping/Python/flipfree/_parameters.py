@@ -57,6 +57,21 @@ class Parameter:
         return f"{least:g} or more" if greatest == most else f"{least:g} to {greatest:g}"
 
 
+# What messages call the arguments of segment() that are no parameters.
+ARGUMENTS: Mapping[str, str] = {
+    "SeedCenter": "seed",
+    "SeedRadius": "radius",
+    "StartLabel": "start_label",
+    "AddInsidePoint": "inside",
+    "AddOutsidePoint": "outside",
+}
+
+
+def of_several_organs(parameters: Mapping[str, Parameter]) -> dict[str, Parameter]:
+    """Those of segment() that segment_organs() has, too: a history is of one organ."""
+    return {name: one for name, one in parameters.items() if name != "keep_history"}
+
+
 def set_parameters(
     caller: str,
     algorithm: Any,

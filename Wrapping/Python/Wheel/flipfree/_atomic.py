@@ -5,12 +5,12 @@ from __future__ import annotations
 import csv
 import io
 import os
-import shutil
-import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from typing import Any
 
+from . import _kernels
 from ._errors import FileError
 from ._types import PathName
 
@@ -22,26 +22,23 @@ def replacing(path: PathName) -> Iterator[str]:
     The name has the ending of the path's. Raises FileError for what the operating system refuses.
     """
     name = os.fspath(path)
-    # Of a symbolic link, what it leads to is replaced.
-    target = os.path.realpath(name)
     try:
-        folder = tempfile.mkdtemp(prefix=".flipfree-", dir=os.path.dirname(target))
-    except OSError as error:
-        raise _refusal(name, error) from error
-    try:
-        temporary = os.path.join(folder, os.path.basename(name))
-        yield temporary
-        with open(temporary, "rb+") as file:
-            os.fsync(file.fileno())
-        if os.path.isfile(target):
-            shutil.copymode(target, temporary)
-        os.replace(temporary, target)
+        file = _kernels.AtomicFile(name)
+        try:
+            yield file.temporary_name
+            file.flush()
+            file.publish()
+        finally:
+            file.discard()
+    except _kernels.NotWritten as error:
+        raise FileError(str(error)) from None
     except FileError:
         raise
     except OSError as error:
-        raise _refusal(name, error) from error
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        reason = error.strerror or error
+        raise FileError(
+            f"'{name}' cannot be written: {reason}. Free some disk space, or write elsewhere."
+        ) from error
 
 
 def write_text(path: PathName, text: str) -> None:
@@ -62,8 +59,12 @@ def write_table(path: PathName, columns: list[str], rows: list[list[Any]]) -> No
 
 def make_folder(path: str) -> None:
     """Creates a folder, unless there is one."""
+    _make(partial(os.makedirs, exist_ok=True), path)
+
+
+def _make(make: Callable[[str], None], path: str) -> None:
     try:
-        os.makedirs(path, exist_ok=True)
+        make(path)
     except OSError as error:
         raise FileError(
             f"The folder '{path}' cannot be created ({error.strerror}). Check the name and the "
@@ -73,19 +74,13 @@ def make_folder(path: str) -> None:
 
 @contextmanager
 def output_folder(path: str) -> Iterator[None]:
-    """Creates a folder, unless there is one; a new one into which nothing comes goes again."""
+    """Creates a folder in one that there is, unless it is there; a new one into which nothing comes goes again."""
     is_new = not os.path.isdir(path)
-    make_folder(path)
+    if is_new:
+        _make(os.mkdir, path)
     try:
         yield
     finally:
         if is_new:
             with suppress(OSError):  # which it is, unless the folder is empty
                 os.rmdir(path)
-
-
-def _refusal(name: str, error: OSError) -> FileError:
-    return FileError(
-        f"'{name}' cannot be written ({error.strerror or error}). Check that its folder exists, is "
-        "writable and has free space."
-    )

@@ -11,7 +11,7 @@ from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
-from ._parameters import names_of, snake_case
+from ._parameters import ARGUMENTS, names_of, of_several_organs, snake_case
 from ._provenance import with_series
 from ._questions import questions_of
 from ._run import run
@@ -32,18 +32,8 @@ SEGMENT_PARAMETERS = settings_of(
         "vtkFlipFreeDeform",
     ),
 )
-NAMES = {
-    **names_of(SEGMENT_PARAMETERS),
-    "SeedCenter": "seed",
-    "SeedRadius": "radius",
-    "StartLabel": "start_label",
-    "AddInsidePoint": "inside",
-    "AddOutsidePoint": "outside",
-}
-# A history is of one organ.
-GROUP_PARAMETERS = {
-    name: parameter for name, parameter in SEGMENT_PARAMETERS.items() if name != "keep_history"
-}
+NAMES = {**names_of(SEGMENT_PARAMETERS), **ARGUMENTS}
+GROUP_PARAMETERS = of_several_organs(SEGMENT_PARAMETERS)
 TRACE_PARAMETERS = settings_of(
     _kernels.VesselSettings, ("vtkVesselAlgorithm", "vtkFlipFreeVesselSegmentation")
 )
@@ -193,12 +183,13 @@ class GroupAlgorithm:
         names = {label: organ[0] for label, organ in enumerate(self._organs, self.first_label())}
         label_map = _labels_of(answer, image, names)
         organs = []
+        seconds = tuple(map(sum, zip(*(organ["stage_seconds"] for organ in answer["organs"]))))
         for (name, _, _, constraints), organ in zip(self._organs, answer["organs"]):
             for text in organ["warnings"]:
                 warn(f"'{name}': {with_names(text, NAMES)}")
             organs.append(
                 Segmentation(
-                    **_found(organ, image, certified=True),
+                    **{**_found(organ, image, certified=True), "stage_seconds": seconds},
                     label_map=label_map,
                     constraints=constraints,
                     questions=questions_of(organ["questions"]),
@@ -237,7 +228,6 @@ class VesselAlgorithm:
             **_found(answer, image, certified=True),
             label_map=_labels_of(answer, image),
             branches=answer["branches"],
-            stage_seconds=tuple(answer["stage_seconds"]),
             support=answer["support"],
             confidence=answer["confidence"],
         )
@@ -352,6 +342,7 @@ def _found(answer: Mapping[str, Any], image: Image, certified: bool) -> dict[str
         "stop_reason": answer["stop_reason"],
         "boundary_found": answer["boundary_found"],
         "self_intersections": answer["self_intersections"],
+        "stage_seconds": tuple(answer["stage_seconds"]),
     }
 
 

@@ -10,11 +10,33 @@ from typing import Any, Union
 
 from ._corrections import Constraint
 from ._errors import FileError
-from ._point_files import ENDINGS, arguments_of, decimal, read_places, read_points
+from ._point_files import ENDINGS, arguments_of, read_places, read_points
 
 CORRECTIONS = ("inside", "outside", "boundary", "corrections")
 # The points themselves, or the name of their file.
 Cell = Union[list[tuple[float, ...]], str]
+
+
+def finite(text: str) -> float:
+    """A finite number as float() takes it, or NaN.
+
+    >>> finite("-1.5e1"), finite("1_0"), finite("inf"), finite("wide")
+    (-15.0, 10.0, nan, nan)
+    """
+    try:
+        number = float(text)
+    except ValueError:
+        return math.nan
+    return number if math.isfinite(number) else math.nan
+
+
+def decimal(text: str) -> float:
+    """A number as tables of points have it, or NaN.
+
+    >>> decimal("-1.5e1"), decimal("1_0"), decimal("inf"), decimal("1e999")
+    (-15.0, nan, nan, nan)
+    """
+    return finite(text) if re.fullmatch("[0-9+.eE-]+", text) else math.nan
 
 
 def text_of(value: Any) -> str:

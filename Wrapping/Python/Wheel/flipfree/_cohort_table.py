@@ -13,11 +13,10 @@ from typing import Any, get_args
 
 from ._backend import SCORE_COLUMNS, SEGMENT_PARAMETERS, TRACE_PARAMETERS
 from ._cohort_csv import read_csv, set_decimal_points, tidied
-from ._cohort_points import CORRECTIONS, Cell, cell_of, text_of
+from ._cohort_points import CORRECTIONS, Cell, cell_of, finite, text_of
 from ._errors import FlipFreeError
 from ._messages import listed
 from ._parameters import Parameter
-from ._point_files import finite
 from ._types import PathName, Preset
 
 SEED = ("seed_x", "seed_y", "seed_z", "radius")

@@ -1,9 +1,12 @@
 """The command `flipfree` of the package that pip installs: segment, trace, surfaces, evaluate, series, phantom,
-cohort."""
+cohort.
+
+Options, help, checks, sessions, files of points and what is printed are those of the toolkit's command, from the
+same code (Wrapping/Command/Request), which is part of the extension. Here is what the subcommands do.
+"""
 
 from __future__ import annotations
 
-import difflib
 import os
 import select
 import signal
@@ -12,17 +15,10 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from . import _commands
-from ._backend import SEGMENT_PARAMETERS, SURFACES_PARAMETERS, TRACE_PARAMETERS
+from . import _kernels
 from ._errors import FlipFreeError, FlipFreeWarning
 from ._messages import spelling
-from ._options import Entry, WrongUsage, destination, help_of, parser_of, table
 
-PARAMETERS = {
-    "segment": SEGMENT_PARAMETERS,
-    "surfaces": SURFACES_PARAMETERS,
-    "trace": TRACE_PARAMETERS,
-}
 SUCCESS, FAILURE, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 NOBODY_READS = 128 + signal.SIGPIPE  # as shells say of the toolkit's, which the signal ends
 
@@ -37,12 +33,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         warnings.simplefilter("ignore")  # those of other packages
         warnings.simplefilter("always", FlipFreeWarning)
         try:
-            _run(words)
-            sys.stdout.flush()
-        except WrongUsage as error:
-            _complain("error", f"{_sentence(str(error))} See '{_help_for(words)}'.")
+            say(_run(words))
+        except _kernels.WrongUsage as error:
+            _complain("error", str(error))
             status = WRONG_USAGE
-        except FlipFreeError as error:
+        except (FlipFreeError, _kernels.Failure, _kernels.NotWritten) as error:
             _complain("error", _sentence(str(error)))
             status = FAILURE
         except MemoryError:
@@ -73,6 +68,19 @@ def _open_standard_streams() -> None:
         sys.stderr = open(2, "w", encoding="utf-8", closefd=False)
 
 
+def say(text: str) -> None:
+    """Prints it at once."""
+    try:
+        print(text, end="", flush=True)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        _discard_output()
+        raise FlipFreeError(
+            f"Writing to the standard output failed ({error.strerror}). Check where it is redirected to."
+        ) from error
+
+
 def _nobody_reads() -> bool:
     """Whether a standard stream is a pipe that is broken; pipes of other files may be, too."""
     streams = select.poll()
@@ -88,61 +96,37 @@ def _discard_output() -> None:
     os.close(nowhere)
 
 
-def _run(words: list[str]) -> None:
-    commands = table()
-    if words and words[0] in ("-h", "--help", "--version"):
-        from . import __version__
+def _run(words: list[str]) -> str:
+    """Does what is asked for; gives the text of --help or --version."""
+    from . import __version__
 
-        print(f"flipfree {__version__}" if words[0] == "--version" else help_of(commands[0], commands))
-        return
-    if not words:
-        raise WrongUsage("A subcommand is required")
-    entry = next((entry for entry in commands[1:] if entry["name"] == words[0]), None)
-    if entry is None:
-        kind = "option" if words[0].startswith("-") else "subcommand"
-        near = _suggestion(words[0], [str(entry["name"]) for entry in commands[1:]])
-        raise WrongUsage(f"There is no {kind} '{words[0]}'{near}")
-    if "-h" in words or "--help" in words:
-        print(help_of(entry, commands))
-        return
-    parser = parser_of(entry, PARAMETERS.get(entry["name"], {}))
-    values, unknown = parser.parse_known_args(words[1:])
-    if unknown:
-        option = next((word for word in unknown if word.startswith("-")), None)
-        if option is None:
-            raise WrongUsage(f"Unexpected argument '{unknown[0]}'")
-        known = [name for one in entry["options"] for name in one["names"] if name.startswith("--")]
-        raise WrongUsage(f"There is no option '{option}'{_suggestion(option.partition('=')[0], known)}")
-    _do(entry, vars(values))
+    for word in words:
+        if any("\ud800" <= letter <= "\udfff" for letter in word):  # as Python has bytes that are no text
+            raise FlipFreeError(f"{ascii(word)} is not in UTF-8. Rename the file.")
+    text, name, request = _kernels.parse(words, __version__)
+    if name:
+        _do(name, request)
+    return str(text)
 
 
-def _do(entry: Entry, values: dict[str, Any]) -> None:
+def _do(name: str, request: Any) -> None:
     """Runs a subcommand; messages call keywords by the options that stand for them."""
-    names = {destination(option): option["names"] for option in entry["options"]}
-    options = {name: next(o for o in spelled if o.startswith("--")) for name, spelled in names.items()}
-    run: Callable[[dict[str, Any]], None] = getattr(_commands, entry["name"])
+    from . import _subcommands
+
+    run: Callable[[Any], None] = getattr(_subcommands, name)
+    options = {**_kernels.spelling(name), "only": "--label"}
     lps = {kind: f"an {kind} point in LPS at" for kind in ("inside", "outside")}
-    token = spelling.set({**options, **(lps if "ras" in values else {})})
+    token = spelling.set({**options, **(lps if getattr(request, "is_ras", False) else {})})
     try:
-        run(values)
+        run(request)
     except (TypeError, ValueError) as error:
-        name, separator, rest = str(error).partition(": ")
-        if name not in options:
+        keyword, separator, rest = str(error).partition(": ")
+        if keyword not in options:
             raise FlipFreeError(str(error)) from error
-        raise WrongUsage(f"{options[name]}{separator}{rest}") from error
+        text = _sentence(f"{options[keyword]}{separator}{rest}")
+        raise _kernels.WrongUsage(f"{text} See 'flipfree {name} --help'.") from error
     finally:
         spelling.reset(token)
-
-
-def _suggestion(word: str, known: list[str]) -> str:
-    """What may have been meant, as a sentence after another; empty if nothing is near."""
-    near = difflib.get_close_matches(word, known, n=1)
-    return f". Did you mean '{near[0]}'?" if near else ""
-
-
-def _help_for(words: list[str]) -> str:
-    known = [entry["name"] for entry in table()[1:]]
-    return "flipfree " + (f"{words[0]} " if words and words[0] in known else "") + "--help"
 
 
 def _sentence(text: str) -> str:

@@ -4,40 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from typing import Any
 
-from ._options import WrongUsage
 from ._questions import Question
-from ._segment import default_parameters
 
 
-def require_answers(values: dict[str, Any]) -> None:
-    """There is somebody to answer, and one organ that the answers correct."""
-    if {"organ", "fixed", "session"} & values.keys():
-        raise WrongUsage(
-            "--ask is for one organ, which starts from a seed or --start-labels. Leave it out; "
-            "--questions writes the questions of several"
-        )
-    if not sys.stdin or not sys.stdin.isatty():
-        raise WrongUsage(
-            "--ask needs a terminal to ask at. Write the questions to a file by --questions, and "
-            "answer them by --inside and --outside"
-        )
-
-
-def say_nothing_to_ask(values: dict[str, Any]) -> None:
-    """Why there are no questions."""
-    if "start_labels" in values:
-        why = "a start from labels has no questions"
-    elif {**default_parameters(values.get("preset", "default")), **values}["carving"]:
-        why = "no part alone is in doubt"
-    else:
-        why = "questions come with --carving"
-    print(f"--ask: there is nothing to ask; {why}.", file=sys.stderr)
-
-
-def ask(questions: Sequence[Question]) -> dict[int, bool]:
+def ask(questions: Sequence[Question], nothing_to_ask: str) -> dict[int, bool]:
     """The answers by the numbers of the questions; none of those that are skipped."""
+    if not questions:
+        print(nothing_to_ask, end="", file=sys.stderr)
     answers: dict[int, bool] = {}
     for number, question in enumerate(questions):
         answer = _answer_to(f"{question} [y/n, Enter: skip] ")

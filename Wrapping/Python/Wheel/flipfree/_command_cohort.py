@@ -7,34 +7,29 @@ import re
 import sys
 from typing import Any
 
-from ._command_inputs import wants_bar
+from ._command import say
+from ._command_outputs import wants_bar
 from ._errors import FlipFreeError
-from ._options import WrongUsage
 
 
 def _rows(count: int) -> str:
     return f"{count} {'row' if count == 1 else 'rows'}"
 
 
-def cohort(values: dict[str, Any]) -> None:
+def cohort(request: Any) -> None:
     """`flipfree cohort`."""
     from ._cohort import cohort as segment_cohort
 
-    results = os.path.join(values["output"], "cohort.csv")
-    if os.path.realpath(results) == os.path.realpath(values["table"]):
-        raise WrongUsage(
-            f"'{values['table']}' is an input, which would be overwritten. Give --output another folder"
-        )
     result = segment_cohort(
-        values["table"],
-        values["output"],
-        scheduler=values.get("scheduler"),
-        workers=values.get("workers", 0),
-        threads=values.get("threads", 1),
-        progress=wants_bar(values) or None,
+        request.table,
+        request.folder,
+        scheduler=request.scheduler or None,
+        workers=request.workers,
+        threads=request.threads,
+        progress=wants_bar(request) or None,
     )
-    if "quiet" not in values:
-        print(result)
+    if not request.quiet:
+        say(f"{result}\n")
     if result.failed:
         failed = [(n, row) for n, row in enumerate(result.rows, 1) if row["status"] != "done"]
         for number, row in failed[:3]:
@@ -42,5 +37,5 @@ def cohort(values: dict[str, Any]) -> None:
             print(f"flipfree: error: row {number}: {message}", file=sys.stderr)
         raise FlipFreeError(
             f"{len(failed)} of {_rows(len(result.rows))} failed. Their messages are in "
-            f"'{os.path.join(values['output'], 'cohort.csv')}' and in report.html beside it."
+            f"'{os.path.join(request.folder, 'cohort.csv')}' and in report.html beside it."
         )

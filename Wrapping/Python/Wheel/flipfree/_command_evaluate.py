@@ -7,49 +7,40 @@ from typing import Any
 
 from ._atomic import write_table
 from ._backend import SCORE_COLUMNS, score_summary, validity_summary
-from ._command_outputs import require_ending, require_place
+from ._command import say
 from ._errors import FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
 from ._image_files import read_labels
 from ._surface_files import ENDINGS, read_surface
 
 
-def evaluate(values: dict[str, Any]) -> None:
+def evaluate(request: Any) -> None:
     """`flipfree evaluate`."""
-    names = {"segmentation": values["segmentation"], "reference": values["reference"]}
-    if "csv" in values:
-        require_ending("--csv", values["csv"], (".csv",))
-        require_place(values["csv"], list(names.values()))
-    label = values.get("label", "")
     labels: dict[str, int] = {}
 
-    def read(name: str) -> Any:
-        image, value = read_labels(names[name], values.get(f"{name}_label", label))
+    def read(name: str, label: str, keyword: str) -> Any:
+        image, value = read_labels(name, label)
         if value is not None:
-            labels[f"{name}_label"] = value
+            labels[keyword] = value
         return image
 
     surface = None
     compared: Any
-    if names["segmentation"].lower().endswith(ENDINGS):
-        compared = surface = read_surface(names["segmentation"])
+    if request.segmentation.lower().endswith(ENDINGS):
+        compared = surface = read_surface(request.segmentation)
     else:
-        compared = read("segmentation")
-    reference = read("reference")
+        compared = read(request.segmentation, request.segmentation_label, "segmentation_label")
+    reference = read(request.reference, request.reference_label, "reference_label")
     try:
-        scores = evaluate_segmentation(
-            compared, reference, **labels, score_voxelization="voxelize" in values
-        )
+        scores = evaluate_segmentation(compared, reference, **labels, score_voxelization=request.voxelize)
     except FlipFreeError as error:
-        raise type(error)(
-            f"'{names['segmentation']}' against '{names['reference']}': {error}"
-        ) from error
-    if "csv" in values:
-        row = {"Segmentation": names["segmentation"], "Reference": names["reference"]}
+        raise type(error)(f"'{request.segmentation}' against '{request.reference}': {error}") from error
+    if request.csv:
+        row = {"Segmentation": request.segmentation, "Reference": request.reference}
         row.update((SCORE_COLUMNS[field][0], value) for field, value in asdict(scores).items())
-        write_table(values["csv"], list(row), [list(row.values())])
-    if "quiet" in values:
+        write_table(request.csv, list(row), [list(row.values())])
+    if request.quiet:
         return
-    print(score_summary(asdict(scores)), end="")
+    say(score_summary(asdict(scores)))
     if surface is not None:
-        print(validity_summary(surface), end="")
+        say(validity_summary(surface))

@@ -9,12 +9,11 @@ from typing import Any
 
 from . import _kernels
 from ._atomic import output_folder, write_table
-from ._backend import SURFACES_PARAMETERS, set_threads
-from ._command_inputs import wants_bar
-from ._command_outputs import require_place, write_to
+from ._backend import set_threads
+from ._command import say
+from ._command_outputs import wants_bar, write_to
 from ._errors import FileError
 from ._image_files import read_labels
-from ._options import WrongUsage
 from ._segmentation import Surface
 from ._surface_files import write_surface
 from ._surfaces import LabelSurfaces
@@ -35,33 +34,37 @@ COLUMNS = {
 }
 
 
-def surfaces(values: dict[str, Any]) -> None:
+def surfaces(request: Any) -> None:
     """`flipfree surfaces`."""
-    if "exact" in values and "distance" in values:
-        raise WrongUsage("--exact excludes --distance")
-    set_threads(values.get("threads", 0))
-    with output_folder(values["output"]):
-        found = _written(values, values["output"])
-    if "quiet" not in values:
-        _print(found, is_coarse=any(values.get(name) for name in ("edge_length", "triangles")))
+    set_threads(request.threads)
+    with output_folder(request.folder):
+        found = _written(request)
+    if not request.quiet:
+        rows = [
+            (one.label, one.name, one.volume, one.euler_number, one.triangles, one.wrong_voxels)
+            for one in found.labels.values()
+        ]
+        is_coarse = any(request.parameters.get(name) for name in ("edge_length", "triangles"))
+        collapse = (len(found.triangles), found.collapse_distance) if is_coarse else None
+        say(_kernels.surfaces_text(rows, found.wrong_voxels, found.greatest_distance, collapse))
 
 
-def _written(values: dict[str, Any], folder: str) -> LabelSurfaces:
+def _written(request: Any) -> LabelSurfaces:
     """Makes the surfaces, and writes them and the table."""
-    table = os.path.join(folder, "surfaces.csv")
-    require_place(table, [values["labels"]])
-    image, _ = read_labels(values["labels"], "")
-    if "names" in values:
-        image = replace(image, names=_names_in(values["names"]))
-    parameters = {name: values[name] for name in SURFACES_PARAMETERS if name in values}
-    found = make_surfaces(image, values.get("label", ()), progress=wants_bar(values), **parameters)
-    files = {label: _file_of(found, label, values.get("format", "stl")) for label in found.labels}
+    table = os.path.join(request.folder, "surfaces.csv")
+    _kernels.require_place("--output", table, [request.labels])
+    image, _ = read_labels(request.labels, "")
+    if request.names:
+        image = replace(image, names=_names_in(request.names))
+    found = make_surfaces(image, request.only, progress=wants_bar(request), **request.parameters)
+    files = {label: _file_of(found, label, request.format) for label in found.labels}
+    inputs = [request.labels, *([request.names] if request.names else [])]
     with contextlib.ExitStack() as written:
         for label, file in files.items():
             if not file:
                 continue
-            path = os.path.join(folder, file)
-            require_place(path, [values["labels"], values.get("names", values["labels"])])
+            path = os.path.join(request.folder, file)
+            _kernels.require_place("--output", path, inputs)
             surface = _surface_of(found, label)
             write_to(written, path, lambda name, mesh=surface: write_surface(mesh, name))  # type: ignore[misc]
     rows = [
@@ -100,20 +103,3 @@ def _names_in(path: str) -> dict[int, str]:
     except _kernels.FileProblem as problem:
         raise FileError(str(problem)) from None
     return names
-
-
-def _print(found: LabelSurfaces, is_coarse: bool) -> None:
-    heading = ("Label", "Name", "Milliliters", "Euler", "Triangles", "Wrong voxels")
-    print("{:>10}  {:<24}  {:>11}  {:>6}  {:>9}  {:>12}".format(*heading))
-    for one in found.labels.values():
-        counts = f"{one.euler_number:6d}  {one.triangles:9d}  {one.wrong_voxels:12d}"
-        print(f"{one.label:10d}  {one.name:<24}  {one.volume:11.3f}  {counts}")
-    print(
-        f"{found.wrong_voxels} voxels on the wrong side; vertices lie at most "
-        f"{found.greatest_distance:.2f} mm from the corners where voxels of different labels meet"
-    )
-    if is_coarse:
-        print(
-            f"{len(found.triangles)} triangles; walls lie at most {found.collapse_distance:.2f} mm "
-            "from where they were before edges were collapsed"
-        )

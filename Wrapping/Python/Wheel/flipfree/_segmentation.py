@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from ._corrections import Constraint, Correctable
 from ._errors import FlipFreeError
 from ._faces import Faces
 from ._image import Image
-from ._questions import Question
+from ._result import GIVEN, Result, VesselMeasures
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -55,42 +54,15 @@ class Surface(Faces):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Segmentation(Faces, Correctable):
+class Segmentation(Result):
     """An organ. Coordinates are the image's physical millimeters."""
 
-    mesh: Surface
-
     label_map: Image
-    """Has the image's geometry; label_value inside, 0 outside; of several organs, that of all."""
 
-    iterations: dict[str, npt.NDArray[Any]]
+    mesh: Surface = GIVEN
+
+    iterations: dict[str, npt.NDArray[Any]] = GIVEN
     """The columns of the convergence table: Iteration, MeanDistance and so on."""
-
-    stop_reason: str
-    """Such as 'converged'."""
-
-    boundary_found: bool
-    """Whether any vertex found the boundary.
-
-    Where none did, segment(), segment_organs() and trace() raise an error.
-    """
-
-    self_intersections: int
-    """Pairs of faces that intersect for some way to cut them: 0, unless the guard was switched off."""
-
-    history: tuple[Surface, ...] = ()
-    """The surface after each iteration, with keep_history."""
-
-    constraints: tuple[Constraint, ...] = ()
-    """The points that the surface obeys, and further seeds."""
-
-    questions: tuple[Question, ...] = ()
-    """Parts of which the segmentation is not sure, those first where an answer is worth most.
-
-    There are at most five; answered() answers them. A vessel has none.
-    """
-
-    _again: Any = field(default=None, compare=False)
 
     @property
     def points(self) -> npt.NDArray[Any]:
@@ -135,16 +107,9 @@ class Segmentation(Faces, Correctable):
     def cells(self) -> tuple[Any, Any]:
         return self.mesh.cells()
 
-    def __repr__(self) -> str:
-        return (
-            f"<{type(self).__name__}: {len(self.points)} vertices, "
-            f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
-            f"{len(self.iterations['Iteration'])} iterations>"
-        )
-
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Vessel(Segmentation):
+class Vessel(VesselMeasures, Segmentation):
     """A vessel, or a tree of vessels. Coordinates are the image's physical millimeters."""
 
     branches: list[dict[str, Any]] = field(default_factory=list)
@@ -152,16 +117,6 @@ class Vessel(Segmentation):
 
     `parent` is the index of the branch that it begins on, -1 for the first.
     """
-
-    stage_seconds: tuple[float, ...] = ()
-    """Of path and outline, start surface, deformation, label map."""
-
-    support: float = math.nan
-    """The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1."""
-
-    confidence: float = math.nan
-    """How far the vessel can be trusted, where least, 0 to 1: how well the image shows its outline, and how
-    like the vessel is what the path runs through. Doubtful below 0.45, which a FlipFreeWarning says."""
 
     @property
     def centerline(self) -> Any:

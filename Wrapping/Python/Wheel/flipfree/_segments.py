@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from . import _kernels
 from ._errors import FileError
-from ._session_record import organ_of_file
 
 ENDING = ".seg.nrrd"
 MOST = 4096  # more is not a label map
@@ -29,7 +29,7 @@ def segment_fields(
         "Segmentation_ReferenceImageExtentOffset": "0 0 0",
     }
     for index, label in enumerate(labels):
-        name = names.get(label) or (organ_of_file(path) if len(extents) == 1 else f"Segment_{label}")
+        name = names.get(label) or (_kernels.organ_of_file(path) if len(extents) == 1 else f"Segment_{label}")
         extent = extents.get(label, [0, -1] * 3)
         values = {
             "ID": f"Segment_{label}",

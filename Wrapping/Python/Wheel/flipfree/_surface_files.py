@@ -61,7 +61,9 @@ def read_surface(path: PathName) -> Surface:
     """Reads a surface from a .vtp, .stl, .ply or .obj file; .vtp by VTK (`pip install vtk`)."""
     name = os.fspath(path)
     ending = ending_of(name)
-    if not os.path.isfile(name) or not os.access(name, os.R_OK):
+    if os.path.exists(name) and not os.path.isfile(name):
+        raise FileError(f"'{name}' is not a regular file. Give the file of a surface.")
+    if not os.access(name, os.R_OK):
         raise FileError(f"'{name}' does not exist or cannot be read. Check its name and permissions.")
     with open(name, "rb") as file:
         content = file.read()
@@ -83,7 +85,13 @@ def _read_vtp(name: str, content: bytes) -> Surface:
     for algorithm in (reader, reader.GetExecutive()):  # which would write to standard error
         algorithm.AddObserver("ErrorEvent", lambda *_: errors.append(name))
     reader.SetFileName(name)
-    reader.Update()
+    log: Any = needed("vtkmodules.vtkCommonCore", "reading .vtp files", "pyvista").vtkLogger
+    verbosity = log.GetCurrentVerbosityCutoff()
+    log.SetStderrVerbosity(log.VERBOSITY_OFF)  # of the reader's parser, which repeats it
+    try:
+        reader.Update()
+    finally:
+        log.SetStderrVerbosity(verbosity)
     if errors or reader.GetErrorCode():
         raise FileError(f"'{name}' cannot be read: it is damaged. Create it again.")
     surface: Surface = surface_of_vtk(reader.GetOutput())
