@@ -162,7 +162,7 @@ class Files(FileTest):
         (self.folder / "ct.jpg").write_text("")
         with self.assertRaisesRegex(flipfree.FileError, r"unknown. Known are NIfTI"):
             flipfree.read_image(self.folder / "ct.jpg")
-        with self.assertRaisesRegex(flipfree.FileError, "cannot be written.*folder exists"):
+        with self.assertRaisesRegex(flipfree.FileError, "cannot be written: there is no folder .*Create it first"):
             flipfree.write_image(example(OBLIQUE), self.folder / "nowhere" / "a.nii")
 
     def test_damaged_files_are_refused(self):
