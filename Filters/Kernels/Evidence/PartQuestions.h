@@ -9,12 +9,12 @@
  * part.
  *
  * Parts are sorted by what an answer is worth, the square root of their volume times their doubt:
- * with the volume itself, first questions were about large parts that are hardly in doubt. Doubt is the chance
- * that the contrary is true, 1 / (1 + exp(margin / MarginScale)). A cut's costs are logarithms of
- * likelihoods, so the difference of two is the logarithm of the odds, up to a scale: without any
- * margin, the odds are even. Of the parts that were cut off at first in 115 organs, 4 of 11 below a
- * margin of 2.1 were decided wrongly, and 3 of 39 above. The scale follows these: 0.35 at half of
- * 2.1, 0.08 at twice.
+ * with the volume itself, first questions were about large parts that are hardly in doubt. Doubt
+ * is the chance that the contrary is true, 1 / (1 + exp(margin / MarginScale)). A cut's costs are
+ * logarithms of likelihoods, so the difference of two is the logarithm of the odds, up to a scale:
+ * without any margin, the odds are even. Of the parts that were cut off at first in 115 organs, 4
+ * of 11 below a margin of 2.1 were decided wrongly, and 3 of 39 above. The scale follows these:
+ * 0.35 at half of 2.1, 0.08 at twice.
  */
 #ifndef FlipFreePartQuestions_h
 #define FlipFreePartQuestions_h
