@@ -104,8 +104,8 @@ TEST(MetaImageHeader, NegativeSpacingsAreRefused)
 {
   ExpectMetaImageRefusal(MetaImageFile("ElementSpacing = 2 -2 2\n"),
     "ElementSpacing is negative, but a spacing must be positive");
-  ExpectMetaImageRefusal(
-    MetaImageFile("ElementSpacing = 2 1.9e-9 2\n"), "is 1.9e-09, but voxels have a size");
+  ExpectMetaImageRefusal(MetaImageFile("ElementSpacing = 2 1.9e-9 2\n"),
+    "is 1.9e-09, but voxels have a size");
 }
 
 TEST(MetaImageHeader, ScaledVoxels)
