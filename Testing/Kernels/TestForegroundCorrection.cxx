@@ -166,6 +166,38 @@ TEST(ForegroundCorrection, TakesThePartOfAnotherOpinion)
   EXPECT_TRUE(image.IsAt(more, 12, 0, -16));
 }
 
+// Where the contrary is likelier, without any point.
+TEST(ForegroundCorrection, DecidesAboutPartsOfOtherOpinions)
+{
+  BallImage image({ 1, 1, 1 });
+  const BitMask ball = image.Ball(24);
+  BitMask right = ball;
+  right.Remove(image.BoxBelow(6));
+  BitMask rest = ball;
+  rest.Remove(right);
+  const SeedSphere seed{ Eigen::Vector3d::Zero(), 6 };
+  for (const bool isIncluded : { true, false })
+  {
+    const BitMask& before = isIncluded ? ball : rest;
+    const PointConstraint answer{ isIncluded ? ConstraintKind::Outside : ConstraintKind::Inside,
+      image.Part(right, isIncluded, 0).Doubt.Place, 0 };
+    image.Others = { image.Part(right, isIncluded, 0.5) };
+    BitMask mask = before;
+    ASSERT_TRUE(DecideOtherParts(image.Image(), seed, SerialFor, NeverStop, image.Others, mask));
+    EXPECT_EQ(mask, before);
+    EXPECT_EQ(image.Others.front().Doubt.IsIncluded, isIncluded);
+
+    image.Others.front().Doubt.Margin = -0.5;
+    const BitMask answered = image.Corrected(before, { answer });
+    ASSERT_TRUE(DecideOtherParts(image.Image(), seed, SerialFor, NeverStop, image.Others, mask));
+    EXPECT_EQ(mask, answered);
+    EXPECT_EQ(image.IsAt(mask, 12, 16, 0), !isIncluded); // all of the part
+    EXPECT_TRUE(image.IsAt(mask, 0, 0, 0));
+    EXPECT_EQ(image.Others.front().Doubt.IsIncluded, !isIncluded);
+    EXPECT_EQ(image.Others.front().Doubt.Margin, 0.5);
+  }
+}
+
 // In a leak as deep as the organ, which no neck parts from it, a point anywhere means the part.
 TEST(ForegroundCorrection, TakesTheLeakThatAnotherOpinionHasNot)
 {

@@ -114,26 +114,6 @@ TEST(OtherParts, AreBehindNecksOfTheForeground)
   EXPECT_FALSE(parts.front().Holds(NearestVoxel(image.Geometry, { -10, 0, 0 }))); // the seed
 }
 
-TEST(OtherParts, AreDecidedWhereTheContraryIsLikelier)
-{
-  std::vector<OtherPart> parts(4);
-  parts[0].Doubt = { { 1, 2, 3 }, 10, true, -0.5 };
-  parts[1].Doubt = { { 4, 5, 6 }, 10, false, -1 };
-  parts[2].Doubt = { { 7, 8, 9 }, 10, true, 0 };
-  parts[3].Doubt = { { 7, 8, 9 }, 10, false, 2 };
-  EXPECT_EQ(DecideLikelier(parts),
-    (ConstraintList{ { ConstraintKind::Outside, { 1, 2, 3 } },
-      { ConstraintKind::Inside, { 4, 5, 6 } } }));
-  const std::vector<double> margins{ 0.5, 1, 0, 2 };
-  const std::vector<bool> included{ false, true, true, false };
-  for (std::size_t part = 0; part < parts.size(); ++part)
-  {
-    EXPECT_EQ(parts[part].Doubt.Margin, margins[part]) << part;
-    EXPECT_EQ(parts[part].Doubt.IsIncluded, included[part]) << part;
-  }
-  EXPECT_TRUE(DecideLikelier(parts).empty());
-}
-
 // The better the boundary is without the part, the less sure it is.
 TEST(OtherParts, AreDoubtfulByWhatTheImageSupports)
 {

@@ -111,16 +111,17 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   inputs.Settings.Modality = this->Foreground.GetModality();
   CarvedForeground carved;
   if (!CarveForeground(inputs, this->Parallel, PartOf(monitor, 0, 0.8), carved) ||
-    !this->FindOthers(inputs, carved, PartOf(monitor, 0.8, 1)))
+    !this->FindOthers(inputs, carved, PartOf(monitor, 0.8, 0.95)))
   {
     return false;
   }
   this->Candidate = std::move(carved.Candidate);
-  this->SettleForeground(std::move(carved.Mask));
-  if (!this->CorrectForeground(DecideLikelier(this->Others), monitor))
+  if (!DecideOtherParts(this->CorrectedImage(monitor), this->Seed, this->Parallel,
+        PartOf(monitor, 0.95, 1), this->Others, carved.Mask))
   {
     return false;
   }
+  this->SettleForeground(std::move(carved.Mask));
   this->Surface.Carving = std::move(carved.Report);
   // Of doubts about the same part, the last one counts: so the surest come first, and the cut's
   // remain last.
@@ -142,6 +143,13 @@ bool DeformingOrgan::FindOthers(const CarvedForegroundInputs& inputs,
         carved.Mask, carved.Opinions, this->Parallel, monitor, this->Others));
 }
 
+ForegroundImage DeformingOrgan::CorrectedImage(const Monitor& monitor)
+{
+  return { this->Foreground.GetImage(), this->Foreground.GetReader(),
+    [this, &monitor](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); },
+    this->Noise, this->Foreground.GetModality(), this->Candidate, this->Others, &this->NewTissue };
+}
+
 bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)
 {
   const SecondsOfBlock timing(this->Surface.FeatureSeconds);
@@ -149,12 +157,9 @@ bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const 
   {
     return true;
   }
-  const ForegroundImage image{ this->Foreground.GetImage(), this->Foreground.GetReader(),
-    [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); }, this->Noise,
-    this->Foreground.GetModality(), this->Candidate, this->Others, &this->NewTissue };
   BitMask mask = this->Foreground.TakeMask();
-  const bool done =
-    FlipFree::CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, mask);
+  const bool done = FlipFree::CorrectForeground(this->CorrectedImage(monitor), this->Seed,
+    constraints, this->Parallel, monitor, mask);
   this->Foreground.SetMask(std::move(mask));
   return done;
 }

@@ -10,8 +10,7 @@
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
 #include "Deformation/UnchangedPlaces.h"
-#include "Evidence/OtherParts.h"
-#include "Evidence/TissueGrowth.h"
+#include "Evidence/ForegroundCorrection.h"
 #include "Intensity/OrganForeground.h"
 
 #include <memory>
@@ -101,6 +100,7 @@ public:
 private:
   bool FindOthers(const CarvedForegroundInputs& inputs, const CarvedForeground& carved,
     const Monitor& monitor);
+  ForegroundImage CorrectedImage(const Monitor& monitor);
   bool FindForegroundOfSurface(const Monitor& monitor);
   bool SnapsToEdges() const;
   void FindTargets();

@@ -356,4 +356,36 @@ bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
   return ForegroundCorrector(image, seed, constraints, parallelFor, monitor, foreground).Execute();
 }
 
+bool DecideOtherParts(const ForegroundImage& image, const SeedSphere& seed,
+  const ParallelFor& parallelFor, const Monitor& monitor, std::vector<OtherPart>& others,
+  BitMask& foreground)
+{
+  ConstraintList answers;
+  for (const OtherPart& other : others)
+  {
+    if (other.Doubt.Margin < 0)
+    {
+      answers.push_back({ other.Doubt.IsIncluded ? ConstraintKind::Outside : ConstraintKind::Inside,
+        other.Doubt.Place });
+    }
+  }
+  if (answers.empty())
+  {
+    return true;
+  }
+  if (!CorrectForeground(image, seed, answers, parallelFor, monitor, foreground))
+  {
+    return false;
+  }
+  for (OtherPart& other : others)
+  {
+    if (other.Doubt.Margin < 0) // not before: answers mean parts as they were
+    {
+      other.Doubt.IsIncluded = !other.Doubt.IsIncluded;
+      other.Doubt.Margin = -other.Doubt.Margin;
+    }
+  }
+  return true;
+}
+
 } // namespace FlipFree

@@ -34,10 +34,18 @@ struct ForegroundImage
 };
 
 /// Corrects `foreground` and keeps what is connected with the seed, or with a piece that was not
-/// connected with it before. Boundary points do not count
-/// here. Returns false if the monitor stopped it; the foreground is then useless.
+/// connected with it before. Boundary points do not count here. Returns false if the monitor
+/// stopped it; the foreground is then useless.
 bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
   const ConstraintList& constraints, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& foreground);
+
+/// Decides about the parts of other opinions whose margin is negative: the contrary is likelier, so
+/// the foreground becomes what answers to questions about them would make of it, and the parts what
+/// they are then, by the opposite margins. `others` are the image's. Returns false if the monitor
+/// stopped it; the foreground is then useless.
+bool DecideOtherParts(const ForegroundImage& image, const SeedSphere& seed,
+  const ParallelFor& parallelFor, const Monitor& monitor, std::vector<OtherPart>& others,
   BitMask& foreground);
 
 } // namespace FlipFree

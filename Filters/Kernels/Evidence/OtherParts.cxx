@@ -264,21 +264,4 @@ bool FindOtherParts(const ImageView<float>& smooth, const SeedSphere& seed, doub
     .Execute(opinions, parts);
 }
 
-ConstraintList DecideLikelier(std::vector<OtherPart>& parts)
-{
-  ConstraintList answers;
-  for (OtherPart& part : parts)
-  {
-    DoubtfulPart& doubt = part.Doubt;
-    if (doubt.Margin < 0)
-    {
-      answers.push_back(
-        { doubt.IsIncluded ? ConstraintKind::Outside : ConstraintKind::Inside, doubt.Place });
-      doubt.IsIncluded = !doubt.IsIncluded;
-      doubt.Margin = -doubt.Margin;
-    }
-  }
-  return answers;
-}
-
 } // namespace FlipFree

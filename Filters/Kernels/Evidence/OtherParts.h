@@ -12,7 +12,6 @@
 
 #include "Evidence/DoubtfulPart.h"
 #include "Image/MaskPart.h"
-#include "Image/PointConstraint.h"
 #include "Image/SeedRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -38,11 +37,6 @@ bool FindOtherParts(const ImageView<float>& smooth, const SeedSphere& seed, doub
   const OrganFeatureSettings& settings, const IntensityModel& ofSeed, const BitMask& foreground,
   const std::vector<BitMask>& opinions, const ParallelFor& parallelFor, const Monitor& monitor,
   std::vector<OtherPart>& parts);
-
-/// Decides about the parts whose margin is negative: the contrary is likelier, so it is taken, and
-/// the margin changes its sign. Returns the answers that change the foreground so
-/// (CorrectForeground()).
-ConstraintList DecideLikelier(std::vector<OtherPart>& parts);
 
 } // namespace FlipFree
 
