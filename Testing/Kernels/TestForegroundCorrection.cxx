@@ -183,13 +183,19 @@ TEST(ForegroundCorrection, DecidesAboutPartsOfOtherOpinions)
       image.Part(right, isIncluded, 0).Doubt.Place, 0 };
     image.Others = { image.Part(right, isIncluded, 0.5) };
     BitMask mask = before;
-    ASSERT_TRUE(DecideOtherParts(image.Image(), seed, SerialFor, NeverStop, image.Others, mask));
+    ASSERT_TRUE(
+      DecideOtherParts(image.Image(), seed, {}, SerialFor, NeverStop, image.Others, mask));
     EXPECT_EQ(mask, before);
     EXPECT_EQ(image.Others.front().Doubt.IsIncluded, isIncluded);
 
     image.Others.front().Doubt.Margin = -0.5;
+    ASSERT_TRUE(DecideOtherParts(image.Image(), seed, { image.Others.front().Doubt }, SerialFor,
+      NeverStop, image.Others, mask));
+    EXPECT_EQ(mask, before); // the cut has decided about it
+
     const BitMask answered = image.Corrected(before, { answer });
-    ASSERT_TRUE(DecideOtherParts(image.Image(), seed, SerialFor, NeverStop, image.Others, mask));
+    ASSERT_TRUE(
+      DecideOtherParts(image.Image(), seed, {}, SerialFor, NeverStop, image.Others, mask));
     EXPECT_EQ(mask, answered);
     EXPECT_EQ(image.IsAt(mask, 12, 16, 0), !isIncluded); // all of the part
     EXPECT_TRUE(image.IsAt(mask, 0, 0, 0));

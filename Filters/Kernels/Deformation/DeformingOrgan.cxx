@@ -116,8 +116,8 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
     return false;
   }
   this->Candidate = std::move(carved.Candidate);
-  if (!DecideOtherParts(this->CorrectedImage(monitor), this->Seed, this->Parallel,
-        PartOf(monitor, 0.95, 1), this->Others, carved.Mask))
+  if (!DecideOtherParts(this->CorrectedImage(monitor), this->Seed, carved.Report.Doubts,
+        this->Parallel, PartOf(monitor, 0.95, 1), this->Others, carved.Mask))
   {
     return false;
   }

@@ -7,6 +7,8 @@
 
 #include "KernelTypes.h"
 
+#include <cmath>
+
 namespace FlipFree
 {
 
@@ -21,6 +23,17 @@ struct DoubtfulPart
 
   /// The contrary is true with the chance 1 / (1 + exp(margin / MarginScale)).
   static constexpr double MarginScale = 1.75;
+
+  /// Whether it is in the part's neighborhood, the ball of its volume around its place.
+  bool IsNear(const Eigen::Vector3d& place) const
+  {
+    return (this->Place - place).norm() < std::cbrt(this->Volume * 3 / (4 * EIGEN_PI));
+  }
+  /// Whether they are taken for one: each place is in the other's neighborhood.
+  bool IsSame(const DoubtfulPart& other) const
+  {
+    return this->IsNear(other.Place) && other.IsNear(this->Place);
+  }
 };
 
 } // namespace FlipFree

@@ -357,33 +357,35 @@ bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
 }
 
 bool DecideOtherParts(const ForegroundImage& image, const SeedSphere& seed,
-  const ParallelFor& parallelFor, const Monitor& monitor, std::vector<OtherPart>& others,
-  BitMask& foreground)
+  const std::vector<DoubtfulPart>& decided, const ParallelFor& parallelFor, const Monitor& monitor,
+  std::vector<OtherPart>& others, BitMask& foreground)
 {
-  ConstraintList answers;
-  for (const OtherPart& other : others)
+  const auto isToChange = [&decided](const DoubtfulPart& doubt)
   {
-    if (other.Doubt.Margin < 0)
+    return doubt.Margin < 0 &&
+      std::none_of(decided.begin(), decided.end(),
+        [&doubt](const DoubtfulPart& part) { return part.IsSame(doubt); });
+  };
+  ConstraintList answers;
+  std::vector<DoubtfulPart*> changed;
+  for (OtherPart& other : others)
+  {
+    if (isToChange(other.Doubt))
     {
       answers.push_back({ other.Doubt.IsIncluded ? ConstraintKind::Outside : ConstraintKind::Inside,
         other.Doubt.Place });
+      changed.push_back(&other.Doubt);
     }
   }
-  if (answers.empty())
-  {
-    return true;
-  }
-  if (!CorrectForeground(image, seed, answers, parallelFor, monitor, foreground))
+  if (!answers.empty() &&
+    !CorrectForeground(image, seed, answers, parallelFor, monitor, foreground))
   {
     return false;
   }
-  for (OtherPart& other : others)
+  for (DoubtfulPart* doubt : changed) // not before: the answers mean the parts as they were
   {
-    if (other.Doubt.Margin < 0) // not before: answers mean parts as they were
-    {
-      other.Doubt.IsIncluded = !other.Doubt.IsIncluded;
-      other.Doubt.Margin = -other.Doubt.Margin;
-    }
+    doubt->IsIncluded = !doubt->IsIncluded;
+    doubt->Margin = -doubt->Margin;
   }
   return true;
 }

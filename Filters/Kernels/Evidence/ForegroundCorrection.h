@@ -42,11 +42,13 @@ bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
 
 /// Decides about the parts of other opinions whose margin is negative: the contrary is likelier, so
 /// the foreground becomes what answers to questions about them would make of it, and the parts what
-/// they are then, by the opposite margins. `others` are the image's. Returns false if the monitor
-/// stopped it; the foreground is then useless.
+/// they are then, by the opposite margins. What the cut that carved the foreground has decided
+/// about
+/// (`decided`) stays: it knows the gray values on both sides of the neck. `others` are the image's.
+/// Returns false if the monitor stopped it; the foreground is then useless.
 bool DecideOtherParts(const ForegroundImage& image, const SeedSphere& seed,
-  const ParallelFor& parallelFor, const Monitor& monitor, std::vector<OtherPart>& others,
-  BitMask& foreground);
+  const std::vector<DoubtfulPart>& decided, const ParallelFor& parallelFor, const Monitor& monitor,
+  std::vector<OtherPart>& others, BitMask& foreground);
 
 } // namespace FlipFree
 

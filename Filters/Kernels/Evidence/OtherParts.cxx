@@ -17,8 +17,9 @@ namespace FlipFree
 namespace
 {
 
-// Of the foreground's volume.
-constexpr double LeastPartVolume = 0.01;
+// Of the foreground's volume. What is smaller behind a wide neck is a bulge.
+constexpr double LeastPartVolume = 0.02;
+constexpr double LeastLobeVolume = 0.05;
 // In blocks.
 constexpr double LeastPartDepth = 1.5;
 // Narrower ones divide, in comparison with the smaller of the parts that they connect. What a neck
@@ -96,7 +97,7 @@ public:
     }
     for (const double neck : NecksOfForeground)
     {
-      if (!this->AddPieces(this->Foreground, true, this->SeedBlocks, neck))
+      if (!this->AddPieces(this->Foreground, true, this->SeedBlocks, neck, LeastLobeVolume))
       {
         return false;
       }
@@ -164,7 +165,7 @@ private:
     {
       BitMask different = isIncluded ? this->Foreground : other;
       different.Remove(isIncluded ? other : this->Foreground);
-      if (!this->AddPieces(different, isIncluded, {}, NeckOfDifference))
+      if (!this->AddPieces(different, isIncluded, {}, NeckOfDifference, LeastPartVolume))
       {
         return false;
       }
@@ -175,7 +176,7 @@ private:
 
   // The parts of a shape between necks, but for that of the seed.
   bool AddPieces(const BitMask& shape, bool isIncluded, const std::vector<std::size_t>& seed,
-    double neck)
+    double neck, double leastVolume)
   {
     const Monitor proceed = this->Proceed();
     const std::vector<float> squared = SquaredDistance(shape, false, this->Parallel, proceed);
@@ -193,7 +194,7 @@ private:
       }
     }
     const double leastDepth = LeastPartDepth * this->Grid.Blocks.Spacing.minCoeff();
-    const double leastBlocks = LeastPartVolume * static_cast<double>(this->Foreground.Count());
+    const double leastBlocks = leastVolume * static_cast<double>(this->Foreground.Count());
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
       if (parts.Peaks[piece] < leastDepth * leastDepth ||

@@ -10,21 +10,11 @@ namespace FlipFree
 namespace
 {
 
-bool IsNear(const DoubtfulPart& part, const Eigen::Vector3d& place)
-{
-  return (part.Place - place).norm() < std::cbrt(part.Volume * 3 / (4 * EIGEN_PI));
-}
-
-bool IsSame(const DoubtfulPart& one, const DoubtfulPart& other)
-{
-  return IsNear(one, other.Place) && IsNear(other, one.Place);
-}
-
 bool IsAnswered(const DoubtfulPart& part, const ConstraintList& constraints)
 {
   return std::any_of(constraints.begin(), constraints.end(),
     [&part](const PointConstraint& constraint)
-    { return constraint.Kind != ConstraintKind::Boundary && IsNear(part, constraint.Point); });
+    { return constraint.Kind != ConstraintKind::Boundary && part.IsNear(constraint.Point); });
 }
 
 } // namespace
@@ -37,7 +27,7 @@ std::vector<DoubtfulPart> QuestionsOf(const std::vector<DoubtfulPart>& doubts,
   for (auto doubt = doubts.rbegin(); doubt != doubts.rend(); ++doubt)
   {
     const bool isFoundLater = std::any_of(questions.begin(), questions.end(),
-      [&doubt](const DoubtfulPart& later) { return IsSame(*doubt, later); });
+      [&doubt](const DoubtfulPart& later) { return doubt->IsSame(later); });
     if (!isFoundLater)
     {
       questions.push_back(*doubt);

@@ -3,8 +3,7 @@
  * decided otherwise (DoubtfulPart.h), those where an answer is worth most. Yes is an inside point
  * at the part's place, no an outside point.
  *
- * A part's neighborhood is the ball of its volume around its place. Two parts, each with its place
- * in the other's neighborhood, are one: later rounds of the cut find the same part again, and know
+ * Two parts at the same place are one: later rounds of the cut find the same part again, and know
  * more. An inside point, an outside point or a further seed in the neighborhood has answered a
  * part.
  *
