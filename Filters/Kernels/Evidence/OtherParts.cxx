@@ -20,11 +20,12 @@ namespace
 // Of the foreground's volume. What is smaller behind a wide neck is a bulge.
 constexpr double LeastPartVolume = 0.02;
 constexpr double LeastLobeVolume = 0.05;
-// In blocks.
-constexpr double LeastPartDepth = 1.5;
-// Narrower ones divide, in comparison with the smaller of the parts that they connect. What a neck
-// of less than 0.7 severs from the foreground was decided about before (OrganCut.h).
-constexpr double NeckOfDifference = 0.7;
+// What is less deep, in blocks, does not connect a part; it belongs to what it is this many blocks
+// away from.
+constexpr double ConnectingDepth = 1.5;
+constexpr int RimSteps = 2;
+// Narrower necks divide the foreground, in comparison with the smaller of the parts that they
+// connect. What a neck of less than 0.7 severs was decided about before (OrganCut.h).
 constexpr std::array<double, 2> NecksOfForeground{ { 0.75, 0.9 } };
 // Two parts are the same if they have this much of their union in common.
 constexpr double SameOverlap = 0.5;
@@ -97,7 +98,7 @@ public:
     }
     for (const double neck : NecksOfForeground)
     {
-      if (!this->AddPieces(this->Foreground, true, this->SeedBlocks, neck, LeastLobeVolume))
+      if (!this->AddLobes(neck))
       {
         return false;
       }
@@ -161,58 +162,115 @@ private:
 
   bool AddParts(const BitMask& other)
   {
+    const Monitor proceed = this->Proceed();
     for (const bool isIncluded : { false, true })
     {
       BitMask different = isIncluded ? this->Foreground : other;
       different.Remove(isIncluded ? other : this->Foreground);
-      if (!this->AddPieces(different, isIncluded, {}, NeckOfDifference, LeastPartVolume))
+      const std::vector<float> squared = SquaredDistance(different, false, this->Parallel, proceed);
+      if (squared.empty())
       {
         return false;
+      }
+      for (std::vector<std::size_t>& blocks : this->PiecesOf(squared))
+      {
+        if (!proceed(0))
+        {
+          return false;
+        }
+        this->Add(std::move(blocks), squared, isIncluded, LeastPartVolume);
       }
     }
     ++this->Done;
     return true;
   }
 
-  // The parts of a shape between necks, but for that of the seed.
-  bool AddPieces(const BitMask& shape, bool isIncluded, const std::vector<std::size_t>& seed,
-    double neck, double leastVolume)
+  // Cores are connected by what is deep. Then all of them grow rims together, so that none takes
+  // another's.
+  std::vector<std::vector<std::size_t>> PiecesOf(const std::vector<float>& squared) const
   {
-    const Monitor proceed = this->Proceed();
-    const std::vector<float> squared = SquaredDistance(shape, false, this->Parallel, proceed);
+    const auto least =
+      static_cast<float>(std::pow(ConnectingDepth * this->Grid.Blocks.Spacing.minCoeff(), 2));
+    std::vector<bool> isTaken(squared.size(), false);
+    const auto addNeighbors = [&](std::size_t block, bool deep, std::vector<std::size_t>& piece)
+    {
+      VisitNeighbors(block, this->Grid.Blocks,
+        [&](std::size_t other)
+        {
+          if (!isTaken[other] && squared[other] > 0 && (squared[other] >= least) == deep)
+          {
+            isTaken[other] = true;
+            piece.push_back(other);
+          }
+        });
+    };
+    std::vector<std::vector<std::size_t>> pieces;
+    for (std::size_t first = 0; first < squared.size(); ++first)
+    {
+      if (isTaken[first] || squared[first] < least)
+      {
+        continue;
+      }
+      isTaken[first] = true;
+      pieces.push_back({ first });
+      for (std::size_t next = 0; next < pieces.back().size(); ++next)
+      {
+        addNeighbors(pieces.back()[next], true, pieces.back());
+      }
+    }
+    std::vector<std::size_t> begin(pieces.size(), 0);
+    for (int step = 0; step < RimSteps; ++step)
+    {
+      for (std::size_t number = 0; number < pieces.size(); ++number)
+      {
+        const std::size_t end = pieces[number].size();
+        for (; begin[number] < end; ++begin[number])
+        {
+          addNeighbors(pieces[number][begin[number]], false, pieces[number]);
+        }
+      }
+    }
+    for (std::vector<std::size_t>& piece : pieces)
+    {
+      std::sort(piece.begin(), piece.end());
+    }
+    return pieces;
+  }
+
+  // The parts of the foreground behind necks, but for that of the seed.
+  bool AddLobes(double neck)
+  {
+    const std::vector<float> squared =
+      SquaredDistance(this->Foreground, false, this->Parallel, this->Proceed());
     if (squared.empty())
     {
       return false;
     }
-    const DistanceParts parts = FindDistanceParts(squared, this->Grid.Blocks, seed, neck);
-    std::vector<std::vector<std::size_t>> pieces(parts.Peaks.size());
+    const DistanceParts parts =
+      FindDistanceParts(squared, this->Grid.Blocks, this->SeedBlocks, neck);
+    std::vector<std::vector<std::size_t>> lobes(parts.Peaks.size());
     for (std::size_t block = 0; block < squared.size(); ++block)
     {
       if (parts.PartOf[block] != DistanceParts::Outside && !parts.HoldsSeed[parts.PartOf[block]])
       {
-        pieces[parts.PartOf[block]].push_back(block);
+        lobes[parts.PartOf[block]].push_back(block);
       }
     }
-    const double leastDepth = LeastPartDepth * this->Grid.Blocks.Spacing.minCoeff();
-    const double leastBlocks = leastVolume * static_cast<double>(this->Foreground.Count());
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    for (std::vector<std::size_t>& lobe : lobes)
     {
-      if (parts.Peaks[piece] < leastDepth * leastDepth ||
-        static_cast<double>(pieces[piece].size()) < leastBlocks)
-      {
-        continue;
-      }
-      if (!proceed(0))
-      {
-        return false;
-      }
-      this->Add(std::move(pieces[piece]), squared, isIncluded);
+      this->Add(std::move(lobe), squared, true, LeastLobeVolume);
     }
-    return true;
+    return this->Proceed()(0);
   }
 
-  void Add(std::vector<std::size_t> blocks, const std::vector<float>& squared, bool isIncluded)
+  void Add(std::vector<std::size_t> blocks, const std::vector<float>& squared, bool isIncluded,
+    double leastVolume)
   {
+    if (static_cast<double>(blocks.size()) <
+      leastVolume * static_cast<double>(this->Foreground.Count()))
+    {
+      return;
+    }
     BitMask changed = this->Foreground;
     for (const std::size_t block : blocks)
     {
