@@ -17,7 +17,7 @@ struct TraceRequest;
 void Segment(const SegmentRequest& request);
 void Trace(const TraceRequest& request);
 void MakeSurfaces(const SurfacesRequest& request);
-void Evaluate(const EvaluateRequest& request);
+void Evaluate(const EvaluateRequest& evaluation);
 void ListSeries(const SeriesRequest& request);
 void MakePhantom(const PhantomRequest& request);
 
