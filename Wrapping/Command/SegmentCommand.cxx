@@ -226,6 +226,7 @@ void SegmentOrgans(std::vector<SegmentRequest> organs, const std::optional<Sessi
   OutputFiles& outputs)
 {
   std::vector<FilterPointer> filters;
+  filters.reserve(organs.size());
   for (const SegmentRequest& organ : organs)
   {
     filters.push_back(FilterOf(organ));

@@ -15,11 +15,11 @@ struct SurfacesRequest;
 struct TraceRequest;
 
 void Segment(const SegmentRequest& request);
-void Trace(const TraceRequest& request);
+void Trace(const TraceRequest& given);
 void MakeSurfaces(const SurfacesRequest& request);
 void Evaluate(const EvaluateRequest& evaluation);
-void ListSeries(const SeriesRequest& request);
-void MakePhantom(const PhantomRequest& request);
+void ListSeries(const SeriesRequest& list);
+void MakePhantom(const PhantomRequest& phantom);
 
 } // namespace Command
 

@@ -21,6 +21,13 @@ bool SameFile(const std::string& a, const std::string& b)
   return first == second || (fs::exists(first, ignored) && fs::equivalent(first, second, ignored));
 }
 
+[[noreturn]] void RefuseSameName(const std::string& option, const std::string& other,
+  const std::string& name)
+{
+  throw WrongUsage(
+    option + " and " + other + " name the same file, '" + name + "'. Give each one of its own.");
+}
+
 } // namespace
 
 void RequireOutputs(const std::vector<RequestedFile>& files)
@@ -63,8 +70,7 @@ void OutputNames::Add(const std::string& option, const std::string& name,
   {
     if (other != option && SameFile(name, file)) // the same option has a file of all organs
     {
-      throw WrongUsage(other + " and " + option + " name the same file, '" + name +
-        "'. Give each one of its own.");
+      RefuseSameName(other, option, name);
     }
   }
   this->Added.emplace_back(option, name);

@@ -161,6 +161,12 @@ void AnnounceGroup(const SegmentPlan& plan, const Announce& announce)
   }
 }
 
+[[noreturn]] void RefuseVessel(const SegmentRequest& request, const std::string& fault)
+{
+  throw Failure("'" + request.Session + "': " + request.Repeated.Name + ": " + fault +
+    ". Correct it, or remove it.");
+}
+
 } // namespace
 
 SegmentRequest WithFilesOf(const std::string& organ, const SegmentRequest& given)
@@ -216,21 +222,19 @@ FlipFree::VesselSegmentationSettings VesselSettingsOf(const SegmentRequest& requ
       names.push_back(parameter.Name);
     }
   }
-  const std::string place = "'" + request.Session + "': " + request.Repeated.Name + ": ";
   FlipFree::VesselSegmentationSettings settings;
   for (const auto& [property, values] : request.Repeated.Parameters)
   {
     if (std::find(names.begin(), names.end(), property) == names.end())
     {
       names.back().insert(0, "and ");
-      throw Failure(place + "there is no parameter '" + property + "' of a vessel; there are " +
-        Joined(names, ", ") + ". Correct it, or remove it.");
+      RefuseVessel(request,
+        "there is no parameter '" + property + "' of a vessel; there are " + Joined(names, ", "));
     }
     if (values.size() != 1 ||
       !FlipFree::FindParameter(FlipFree::VesselParameters(), property)->Take(settings, values))
     {
-      throw Failure(
-        place + "the parameter '" + property + "' is out of its range. Correct it, or remove it.");
+      RefuseVessel(request, "the parameter '" + property + "' is out of its range");
     }
   }
   return settings;
