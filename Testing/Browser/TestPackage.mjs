@@ -154,12 +154,18 @@ test("a preview of a point is what the point changes", async () => {
   assert.equal(await flipfree.preview({ inside: [100, 47, 47] }), null);
 });
 
+// The command is compiled by another compiler, which rounds the walls of labels otherwise; in millimeters.
+function expectNear(found, expected) {
+  assert.equal(found.length, expected.length);
+  assert.ok(found.every((value, at) => Math.abs(value - expected[at]) < 1e-3));
+}
+
 test("a label of a label map in place of a seed: the command's surface, corrected by points", async () => {
   const start = { labels: phantom.labelMap, label: 1 };
   const spleen = await flipfree.segment(phantom.image, start);
   const fill = ["segment", "abdomen.nii.gz", "--start-labels", "abdomen-truth.nii.gz", "--start-label", "1"];
   command(scratch, ...fill, "-o", "filled.ply", "--labels", "filled.nii.gz");
-  assert.deepEqual(readPlyPoints(join(scratch, "filled.ply")), Float32Array.from(spleen.surface.points));
+  expectNear(readPlyPoints(join(scratch, "filled.ply")), spleen.surface.points);
   const found = labelMapOf(spleen, phantom.image).voxels;
   assert.ok(dice(found, phantom.labelMap.voxels.map((value) => +(value === 1))) > 0.97);
   assert.ok(spleen.seed.radius > 10);
@@ -167,7 +173,7 @@ test("a label of a label map in place of a seed: the command's surface, correcte
   const outside = [beyond(spleen.surface, 0, 1, -4)];
   const corrected = await flipfree.segment(phantom.image, start, { outside });
   command(scratch, ...fill, "--outside", ...outside[0].map(String), "-o", "filled.ply");
-  assert.deepEqual(readPlyPoints(join(scratch, "filled.ply")), Float32Array.from(corrected.surface.points));
+  expectNear(readPlyPoints(join(scratch, "filled.ply")), corrected.surface.points);
   assert.ok(dice(found, labelMapOf(corrected, phantom.image).voxels) < 0.9995);
 
   // Asked for at once, each gets its own start.

@@ -20,7 +20,7 @@ namespace
 // Of the foreground's volume. What is smaller behind a wide neck is a bulge, or the pole of a
 // kidney.
 constexpr double LeastPartVolume = 0.02;
-constexpr double LeastLobeVolume = 0.08;
+constexpr double LeastLobeVolume = 0.15;
 // What is less deep, in blocks, does not connect a part; it belongs to what it is this many blocks
 // away from.
 constexpr double ConnectingDepth = 1.5;

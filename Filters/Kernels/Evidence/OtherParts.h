@@ -28,7 +28,7 @@ struct OtherPart : MaskPart
 /// Finds the parts by which opinions, on the grid of the foreground and of the image, differ from
 /// it, and further ones, which are grown from the seed on blocks and carved; and parts of the
 /// foreground itself behind necks. An opinion may be worse than the foreground in all else. Parts
-/// have at least 2 % of the foreground's volume, those behind its necks 8 %; the surest are left
+/// have at least 2 % of the foreground's volume, those behind its necks 15 %; the surest are left
 /// out, and the others sorted, the most doubtful first. Only the voxels in ConsensusBox() need to
 /// have values. `noise` is the standard deviation before smoothing; the settings' modality is not
 /// Automatic; `ofSeed` is the seed's (FitToSeed()). Returns false if the monitor, asked before each
