@@ -154,10 +154,11 @@ test("a preview of a point is what the point changes", async () => {
   assert.equal(await flipfree.preview({ inside: [100, 47, 47] }), null);
 });
 
-// The command is compiled by another compiler, which rounds the walls of labels otherwise; in millimeters.
+// Walls may come to rest elsewhere within their cells where the command is compiled by another compiler.
 function expectNear(found, expected) {
   assert.equal(found.length, expected.length);
-  assert.ok(found.every((value, at) => Math.abs(value - expected[at]) < 1e-3));
+  const apart = found.reduce((most, value, at) => Math.max(most, Math.abs(value - expected[at])), 0);
+  assert.ok(apart < Math.min(...phantom.image.spacing), `${apart} mm`);
 }
 
 test("a label of a label map in place of a seed: the command's surface, corrected by points", async () => {
@@ -167,7 +168,7 @@ test("a label of a label map in place of a seed: the command's surface, correcte
   command(scratch, ...fill, "-o", "filled.ply", "--labels", "filled.nii.gz");
   expectNear(readPlyPoints(join(scratch, "filled.ply")), spleen.surface.points);
   const found = labelMapOf(spleen, phantom.image).voxels;
-  assert.ok(dice(found, phantom.labelMap.voxels.map((value) => +(value === 1))) > 0.97);
+  assert.equal(dice(found, phantom.labelMap.voxels.map((value) => +(value === 1))), 1);
   assert.ok(spleen.seed.radius > 10);
 
   const outside = [beyond(spleen.surface, 0, 1, -4)];
