@@ -87,8 +87,8 @@
  *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies
  *   at the image's border along two axes.
  * - Start labels: some of them lie outside the image.
- * - If none of these applies: the confidence is below 0.85, or a question has a margin below 1.75
- *   and is about more than 6.5 % of the organ's volume. The warning asks the first such question.
+ * - If none of these applies: the confidence is below 0.85, or a question has a margin below 2.1
+ *   and is about more than 8 % of the organ's volume. The warning asks the first such question.
  *   Without one, look at the contour where its confidence is low, and correct it there by points.
  *   There is no such warning with constraints, of which the confidence's threshold knows nothing,
  *   nor without carving, as in the presets Published and Naive.

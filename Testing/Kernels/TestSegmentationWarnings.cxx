@@ -104,7 +104,7 @@ TEST(SegmentationWarnings, QuestionsThatHardlyMatterAreNone)
   const double volume = 64000;
   const DoubtfulPart sure{ { 80, 40, 40 }, 20000, false, 5 };
   const DoubtfulPart small{ { 50, 40, 40 }, 4000, true, 0.1 };
-  const DoubtfulPart doubtful{ { 10, 40, 40 }, 5000, true, 0.1 };
+  const DoubtfulPart doubtful{ { 10, 40, 40 }, 6000, true, 0.1 };
   EXPECT_TRUE(WarningOfDoubt(0.9, {}, volume, settings).empty());
   EXPECT_EQ(WarningOfDoubt(0.8, { sure, small }, volume, settings),
     WarningOfDoubt(0.8, {}, volume, settings));

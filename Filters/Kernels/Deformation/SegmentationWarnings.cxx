@@ -24,8 +24,8 @@ constexpr std::size_t FewestVoxelsInSeed = 100; // of the inner half; of fewer, 
 // parts are neighbors, whatever their gray values. Of the 50 of that size that were cut off at
 // first in 115 organs, 11 in 8 organs are below, and 4 of these were decided wrongly; of the other
 // 39, 3.
-constexpr double DoubtfulMargin = 1.75;
-constexpr double DoubtfulVolume = 0.065;
+constexpr double DoubtfulMargin = 2.1;
+constexpr double DoubtfulVolume = 0.08;
 
 // Of the vertices, beside voxels without data. Padding that only touches an organ stays below.
 constexpr double EndsSilently = 0.02;
