@@ -134,7 +134,7 @@ class Work(unittest.TestCase):
             self.assertEqual(sorted(path.name for path in folder.iterdir()),
                              ["2-right_kidney.ply", "6-liver_–_all.ply", "9-vena.ply", "surfaces.csv"])
             rows = list(csv.DictReader((folder / "surfaces.csv").read_text(encoding="utf-8").splitlines()))
-            numbers = [[float(f"{float(value):.5g}") for key, value in row.items() if key not in ("Name", "File")] for row in rows]
+            numbers = [[float(f"{float(value):.4g}") for key, value in row.items() if key not in ("Name", "File")] for row in rows]
             made[name] = (process.stdout, list(rows[0]), [row["Name"] for row in rows], numbers,
                           [vertices_of(folder / row["File"]).tolist() for row in rows])
         self.assertEqual(made["ours"], made["theirs"])
