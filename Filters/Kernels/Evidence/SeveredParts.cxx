@@ -3,10 +3,11 @@
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
-#include <unordered_map>
 #include <utility>
 
 namespace FlipFree
@@ -26,48 +27,62 @@ public:
     const std::vector<float>& smooth, double edgeContrast, const std::vector<float>& squaredDepth,
     const std::function<bool(std::size_t block)>& isKept)
     : Blocks(blocks)
-    , Nodes(nodes)
     , Smooth(smooth)
     , EdgeContrast(edgeContrast)
     , SquaredDepth(squaredDepth)
-    , Kept(isKept)
+    , Sides(nodes.NumberOfBlocks(), Side::None)
+    , Distances(nodes.NumberOfBlocks(), Unreached)
   {
+    for (std::size_t block = 0; block < this->Sides.size(); ++block)
+    {
+      if (nodes.IsNode(block))
+      {
+        this->Sides[block] = isKept(block) ? Side::Kept : Side::Severed;
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Areas[axis] = blocks.VoxelVolume() / blocks.Spacing[axis];
+    }
   }
 
   std::vector<SeveredPart> Execute()
   {
     std::vector<SeveredPart> parts;
-    this->IsFound.assign(this->Nodes.NumberOfBlocks(), false);
-    for (std::size_t block = 0; block < this->IsFound.size(); ++block)
+    std::vector<bool> isFound(this->Sides.size(), false);
+    for (std::size_t block = 0; block < isFound.size(); ++block)
     {
-      if (!this->IsFound[block] && this->IsSevered(block))
+      if (!isFound[block] && this->Sides[block] == Side::Severed)
       {
-        parts.push_back(this->PartOf(block));
+        parts.push_back(this->PartOf(block, isFound));
       }
     }
     return parts;
   }
 
 private:
-  bool IsSevered(std::size_t block) const
+  enum class Side : unsigned char
   {
-    return this->Nodes.IsNode(block) && !this->Kept(block);
-  }
-  bool IsKept(std::size_t block) const { return this->Nodes.IsNode(block) && this->Kept(block); }
+    None, // no node
+    Kept,
+    Severed
+  };
 
-  SeveredPart PartOf(std::size_t first)
+  static constexpr double Unreached = std::numeric_limits<double>::infinity();
+
+  SeveredPart PartOf(std::size_t first, std::vector<bool>& isFound)
   {
     SeveredPart part;
     part.Blocks = { first };
-    this->IsFound[first] = true;
+    isFound[first] = true;
     for (std::size_t at = 0; at < part.Blocks.size(); ++at) // which grows
     {
       VisitNeighbors(part.Blocks[at], this->Blocks,
         [&](std::size_t other)
         {
-          if (this->IsSevered(other) && !this->IsFound[other])
+          if (this->Sides[other] == Side::Severed && !isFound[other])
           {
-            this->IsFound[other] = true;
+            isFound[other] = true;
             part.Blocks.push_back(other);
           }
         });
@@ -77,7 +92,7 @@ private:
     return part;
   }
 
-  void MeasureCut(SeveredPart& part) const
+  void MeasureCut(SeveredPart& part)
   {
     std::vector<std::size_t> own;
     std::vector<std::size_t> rest;
@@ -87,7 +102,7 @@ private:
       VisitNeighbors(block, this->Blocks,
         [&](std::size_t other)
         {
-          if (!this->IsKept(other))
+          if (this->Sides[other] != Side::Kept)
           {
             return;
           }
@@ -103,10 +118,8 @@ private:
         });
     }
     part.Edge = part.Area > 0 ? 1 - attenuated / part.Area : 0;
-    const auto [meanOfPart, samplesOfPart] =
-      this->MeanBehind(own, [this](std::size_t block) { return this->IsSevered(block); });
-    const auto [meanOfRest, samplesOfRest] =
-      this->MeanBehind(rest, [this](std::size_t block) { return this->IsKept(block); });
+    const auto [meanOfPart, samplesOfPart] = this->MeanBehind(own, Side::Severed);
+    const auto [meanOfRest, samplesOfRest] = this->MeanBehind(rest, Side::Kept);
     part.Samples = std::min(samplesOfPart, samplesOfRest);
     part.Step = meanOfPart - meanOfRest;
   }
@@ -122,23 +135,32 @@ private:
     const std::array<std::ptrdiff_t, 3> steps = StepsOf(this->Blocks);
     const auto away = std::abs(static_cast<std::ptrdiff_t>(other - block));
     const int axis = away == steps[2] ? 2 : (away == steps[1] ? 1 : 0);
-    return this->Blocks.VoxelVolume() / this->Blocks.Spacing[axis];
+    return this->Areas[axis];
   }
 
-  // The mean gray value, and the number, of the blocks behind the first ones, from face to face.
-  template <typename Belongs>
-  std::pair<double, int> MeanBehind(const std::vector<std::size_t>& first,
-    const Belongs& belongs) const
+  // The mean gray value, and the number, of the blocks behind the first ones, from face to face on
+  // their side.
+  std::pair<double, int> MeanBehind(const std::vector<std::size_t>& first, Side side)
   {
     using Place = std::pair<double, std::size_t>; // millimeters
-    std::unordered_map<std::size_t, double> distances;
     std::priority_queue<Place, std::vector<Place>, std::greater<>> next;
+    std::vector<std::size_t> reached;
+    const auto reach = [&](std::size_t block, double distance)
+    {
+      double& known = this->Distances[block];
+      if (distance < known)
+      {
+        if (known == Unreached)
+        {
+          reached.push_back(block);
+        }
+        known = distance;
+        next.emplace(distance, block);
+      }
+    };
     for (const std::size_t block : first)
     {
-      if (distances.emplace(block, 0).second)
-      {
-        next.emplace(0, block);
-      }
+      reach(block, 0);
     }
     double sum = 0;
     int count = 0;
@@ -146,7 +168,7 @@ private:
     {
       const auto [distance, block] = next.top();
       next.pop();
-      if (distance > distances[block])
+      if (distance > this->Distances[block])
       {
         continue;
       }
@@ -158,29 +180,27 @@ private:
       VisitNeighbors(block, this->Blocks,
         [&, from = distance, here = block](std::size_t other)
         {
-          const double reached = from + this->Blocks.VoxelVolume() / this->AreaBetween(here, other);
-          if (reached > FarthestSample || !belongs(other))
+          const double onward = from + this->Blocks.VoxelVolume() / this->AreaBetween(here, other);
+          if (onward <= FarthestSample && this->Sides[other] == side)
           {
-            return;
-          }
-          const auto known = distances.emplace(other, reached);
-          if (known.second || reached < known.first->second)
-          {
-            known.first->second = reached;
-            next.emplace(reached, other);
+            reach(other, onward);
           }
         });
+    }
+    for (const std::size_t block : reached)
+    {
+      this->Distances[block] = Unreached;
     }
     return { count > 0 ? sum / count : 0, count };
   }
 
   const ImageGeometry& Blocks;
-  const BlockNodes& Nodes;
   const std::vector<float>& Smooth;
   const double EdgeContrast;
   const std::vector<float>& SquaredDepth;
-  const std::function<bool(std::size_t)>& Kept;
-  std::vector<bool> IsFound;
+  std::vector<Side> Sides;
+  std::array<double, 3> Areas{}; // of the blocks' faces
+  std::vector<double> Distances; // of MeanBehind()
 };
 
 } // namespace
