@@ -192,18 +192,15 @@ private:
   // The severed parts that are not too small for a proposal.
   std::vector<SeveredPart> FindParts(const RegionCut& cut)
   {
-    const auto isInside = [&cut](std::size_t block) { return cut.IsInside(block); };
-    std::vector<SeveredPart> parts = FindSeveredParts(this->Grid.Blocks, this->Nodes, this->Smooth,
-      this->SquaredDepth, this->EdgeContrast, isInside);
-    this->Kept = this->Nodes.NumberOfNodes() * this->Grid.Blocks.VoxelVolume();
-    for (const SeveredPart& part : parts)
+    std::size_t kept = 0;
+    for (std::size_t block = 0; block < this->Inside.size(); ++block)
     {
-      this->Kept -= part.Volume;
+      kept += this->Nodes.IsNode(block) && cut.IsInside(block) ? 1 : 0;
     }
-    const auto isSmall = [this](const SeveredPart& part)
-    { return part.Volume < 1000 * this->Settings.LeastPart; };
-    parts.erase(std::remove_if(parts.begin(), parts.end(), isSmall), parts.end());
-    return parts;
+    this->Kept = static_cast<double>(kept) * this->Grid.Blocks.VoxelVolume();
+    return FindSeveredParts(
+      this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth, this->EdgeContrast,
+      [&cut](std::size_t block) { return cut.IsInside(block); }, 1000 * this->Settings.LeastPart);
   }
 
   // In place of the certainty about the parts' cores, a proposal about each part.

@@ -46,7 +46,7 @@ public:
     }
   }
 
-  std::vector<SeveredPart> Execute()
+  std::vector<SeveredPart> Execute(double leastVolume)
   {
     std::vector<SeveredPart> parts;
     std::vector<bool> isFound(this->Sides.size(), false);
@@ -54,7 +54,12 @@ public:
     {
       if (!isFound[block] && this->Sides[block] == Side::Severed)
       {
-        parts.push_back(this->PartOf(block, isFound));
+        SeveredPart part = this->PartOf(block, isFound);
+        if (part.Volume >= leastVolume)
+        {
+          this->MeasureCut(part);
+          parts.push_back(std::move(part));
+        }
       }
     }
     return parts;
@@ -70,7 +75,7 @@ private:
 
   static constexpr double Unreached = std::numeric_limits<double>::infinity();
 
-  SeveredPart PartOf(std::size_t first, std::vector<bool>& isFound)
+  SeveredPart PartOf(std::size_t first, std::vector<bool>& isFound) const
   {
     SeveredPart part;
     part.Blocks = { first };
@@ -88,7 +93,6 @@ private:
         });
     }
     part.Volume = static_cast<double>(part.Blocks.size()) * this->Blocks.VoxelVolume();
-    this->MeasureCut(part);
     return part;
   }
 
@@ -220,9 +224,10 @@ std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const Neighbor
 
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
-  const std::function<bool(std::size_t block)>& isKept)
+  const std::function<bool(std::size_t block)>& isKept, double leastVolume)
 {
-  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept).Execute();
+  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept)
+    .Execute(leastVolume);
 }
 
 } // namespace FlipFree

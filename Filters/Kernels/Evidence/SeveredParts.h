@@ -46,11 +46,11 @@ struct NeighborSettings
 std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
   double spread, Modality modality);
 
-/// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
-/// (SmoothBlockMeans()).
+/// The connected parts of the nodes that are not kept, but for those of less than the least volume
+/// (mm3). `smooth` are the blocks' gray values (SmoothBlockMeans()).
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
-  const std::function<bool(std::size_t block)>& isKept);
+  const std::function<bool(std::size_t block)>& isKept, double leastVolume = 0);
 
 } // namespace FlipFree
 
