@@ -469,7 +469,7 @@ void BindCommand(nb::module_& module)
   module.def("table_text", &TextOfTable);
   module.def("named_provenance", &NamedProvenance);
   module.def("session_text", &SessionText);
-  module.def("organ_of_file", &OrganOfFile);
+  module.def("organ_of_file", [](const std::string& file) { return OrganOfFiles({ file }); });
 }
 
 } // namespace FlipFree
