@@ -7,6 +7,7 @@
 #include "OutputFile.h"
 #include "Polygons.h"
 #include "Run.h"
+#include "SurfaceOrigin.h"
 #include "TextFile.h"
 #include "UnreadableFile.h"
 

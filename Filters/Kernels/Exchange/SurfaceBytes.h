@@ -1,6 +1,7 @@
 /**
  * Surfaces as the bytes of STL, PLY and OBJ files, which PolygonFile.h reads. Positions are LPS
- * millimeters, of single precision in STL and PLY and with all digits in OBJ. Comments come before the data; STL has room for the first one.
+ * millimeters, of single precision in STL and PLY and with all digits in OBJ. Comments come before
+ * the data; STL has room for the first one.
  */
 #ifndef FlipFreeSurfaceBytes_h
 #define FlipFreeSurfaceBytes_h

@@ -55,7 +55,7 @@ private:
     AppendLittleEndian(this->Appended, static_cast<std::uint64_t>(array.Bytes.size()));
     this->Appended += array.Bytes;
     return "<" + element + " type=\"" + array.Type + "\" Name=\"" + array.Name + "\" " + size +
-      " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>";
+      R"( format="appended" offset=")" + std::to_string(offset) + "\"/>";
   }
 
   std::string Appended;
@@ -100,13 +100,13 @@ std::string VtpBytes(const Eigen::Ref<const PointList>& points, const FaceList& 
   {
     fields += arrays.Field(field);
   }
-  std::string text = "<?xml version=\"1.0\"?>\n"
-                     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                     "header_type=\"UInt64\">\n"
-                     "<PolyData>\n<FieldData>" +
+  std::string text = R"(<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData>
+<FieldData>)" +
     fields + "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(rows.rows()) +
-    "\" NumberOfVerts=\"0\" NumberOfLines=\"" + (content.AreLines ? count : "0") +
-    "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + (content.AreLines ? "0" : count) + "\">\n";
+    R"(" NumberOfVerts="0" NumberOfLines=")" + (content.AreLines ? count : "0") +
+    R"(" NumberOfStrips="0" NumberOfPolys=")" + (content.AreLines ? "0" : count) + "\">\n";
   text += "<PointData>" + arrays.All(content.PointData) + "</PointData>\n";
   text += "<CellData>" + arrays.All(content.CellData) + "</CellData>\n";
   text += "<Points>" +
