@@ -248,7 +248,7 @@ sys.exit(main(sys.argv[1:]))
     def test_every_surface_format_is_read_by_the_toolkit(self):
         """And has its bytes, but for VTP, which VTK writes."""
         for ending in ("vtp", "stl", "ply", "obj"):
-            path, theirs = self.folder / f"each.{ending}", self.folder / f"theirs.{ending}"
+            path, theirs = self.folder / f"each.{ending}", self.folder / f"each-theirs.{ending}"
             self.segment(OURS, "--resolution", 8, "-q", "-o", path)
             self.segment(TOOLKIT, "--resolution", 8, "-q", "-o", theirs)
             self.assertEqual(path.read_bytes() == theirs.read_bytes(), ending != "vtp", ending)
