@@ -1,5 +1,5 @@
 /**
- * Numbers and names as messages show them.
+ * Numbers and names as messages show them, and numbers as files hold them.
  */
 #ifndef FlipFreeMessageText_h
 #define FlipFreeMessageText_h
@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 
@@ -32,6 +34,22 @@ inline std::string TextOf(double number)
   std::ostringstream text;
   text << number;
   return text.str();
+}
+
+/// With the fewest digits from 15 on that read back as the same.
+inline std::string ExactTextOf(double number)
+{
+  // Every double has 15 digits, and none needs more than 17.
+  char text[40];
+  for (int digits = 15; digits <= 17; ++digits)
+  {
+    std::snprintf(text, sizeof(text), "%.*g", digits, number);
+    if (std::strtod(text, nullptr) == number)
+    {
+      break;
+    }
+  }
+  return text;
 }
 
 /// Of a part that is neither nothing nor all, and not shown as if it were: 1 % to 99 %.

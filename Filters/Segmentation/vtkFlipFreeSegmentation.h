@@ -71,7 +71,7 @@
  * - Seed: its center outside the image; smaller than a voxel, or wider than the image's longest
  *   side; a Reach that ends within it; a voxel without data in it; no contrast to its surroundings.
  * - Start surface: open, not a consistently oriented 2-manifold, or self-intersecting.
- * - Constraint, which the error names: outside the image, where there is no data (unless it is an
+ * - Correction, which the error names: outside the image, where there is no data (unless it is an
  *   outside point), contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
  * - Start labels: with other voxels than the image's, without voxels of StartLabel, or given
@@ -90,7 +90,7 @@
  * - If none of these applies: the confidence is below 0.85, or a question has a margin below 2.1
  *   and is about more than 8 % of the organ's volume. The warning asks the first such question.
  *   Without one, look at the contour where its confidence is low, and correct it there by points.
- *   There is no such warning with constraints, of which the confidence's threshold knows nothing,
+ *   There is no such warning with corrections, of which the confidence's threshold knows nothing,
  *   nor without carving, as in the presets Published and Naive.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Extensions can be switched off; the rules
@@ -225,7 +225,7 @@ public:
 
   ///@{
   /**
-   * Keep the smoothed image, and other results that constraints do not change, between runs, so
+   * Keep the smoothed image, and other results that corrections do not change, between runs, so
    * that a correction takes about a third of the time. Default off, since it needs memory: the
    * smoothed part of the image as floats. The next Update() after the image, the seed or a
    * parameter has changed frees it; after writing voxels in place, call the image's Modified().

@@ -13,7 +13,7 @@ import command
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 import lobed_ball  # pylint: disable=wrong-import-position
 
-HEADER = '"x","y","z","volume_ml","included","margin"\n'
+HEADER = 'x,y,z,volume_ml,included,margin\n'
 
 
 class TestQuestions(command.CommandTest):

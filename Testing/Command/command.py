@@ -4,8 +4,12 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+import forked_command  # pylint: disable=wrong-import-position
 
 PROGRAM = os.environ["FLIPFREE_COMMAND"]
 # The command that pip installs draws without a display and has a subcommand more.
@@ -17,6 +21,8 @@ SLOWNESS = float(os.environ.get("FLIPFREE_SLOWNESS", "1"))
 
 def run(*arguments, **options):
     """Runs `flipfree` with the arguments; gives its status, output and error text."""
+    if IS_OF_PIP and not options:
+        return forked_command.run(PROGRAM, list(map(str, arguments)))
     options = {"timeout": 120 * SLOWNESS, "stdout": subprocess.PIPE, **options}
     return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                           **options)

@@ -5,7 +5,7 @@ import unittest
 
 import flipfree
 import numpy
-from example import RADIUS, SEED, image, liver
+from example import RADIUS, SEED, SPACING, image, liver
 
 
 class Corrections(unittest.TestCase):
@@ -32,7 +32,7 @@ class Corrections(unittest.TestCase):
         listed = liver().corrected(outside=stroke[::-1].tolist())
         self.assertTrue(numpy.array_equal(drawn.points, listed.points))
         for place in stroke:
-            i, j, k = (round(x / s) for x, s in zip(place, (1.5, 1.5, 3)))
+            i, j, k = (round(x / s) for x, s in zip(place, SPACING))
             self.assertEqual(drawn.labels[k, j, i], 0)
         with self.assertRaisesRegex(TypeError, r"^outside: a list of points is needed"):
             liver().corrected(outside=stroke[0])
@@ -42,8 +42,8 @@ class Corrections(unittest.TestCase):
     def test_label_maps_obey(self):
         corrected = liver().corrected(outside=[self.outside], inside=[self.inside], boundary=[(99, 40, 167)])
         for place, expected in ((self.outside, 0), (self.inside, 1)):
-            # The phantom's voxels are 1.5 x 1.5 x 3 mm, the first one at the origin.
-            i, j, k = (round(x / s) for x, s in zip(place, (1.5, 1.5, 3)))
+            # The phantom's first voxel is at the origin.
+            i, j, k = (round(x / s) for x, s in zip(place, SPACING))
             self.assertEqual(corrected.labels[k, j, i], expected)
         distance = numpy.linalg.norm(corrected.points - (99, 40, 167), axis=1).min()
         self.assertLess(distance, 4)

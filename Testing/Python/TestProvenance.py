@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 import flipfree
-from example import RADIUS, SEED, abdomen, image, liver, truth
+from example import RADIUS, SEED, SIZE, abdomen, image, liver, truth
 
 try:
     import SimpleITK  # noqa: F401, of the package without VTK
@@ -29,7 +29,7 @@ class Provenance(unittest.TestCase):
                                  foreground_mass=0.991)
         session = json.loads(organ.provenance)
         self.assertEqual((session["format"], session["flipfree"]), ("flipfree-session", flipfree.__version__))
-        self.assertEqual(session["image"]["size"], [220, 170, 90])
+        self.assertEqual(session["image"]["size"], list(SIZE))
         entry = session["organs"][0]
         self.assertEqual(entry["seed"], {"center": list(SEED), "radius": RADIUS})
         self.assertEqual(entry["corrections"], [{"kind": "outside", "position": list(point)},

@@ -7,7 +7,6 @@ import unittest
 
 import flipfree
 import numpy
-from example import abdomen
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
 from lobed_ball import LOBE, RADIUS, SEED, SIZE, SPACING, lobed_ball  # pylint: disable=wrong-import-position
@@ -67,7 +66,7 @@ class Questions(unittest.TestCase):
                 self.assertEqual(organ.questions, ())
                 self.assertLess(organ.confidence, 0.85)
         with self.assertWarnsRegex(flipfree.FlipFreeWarning, "in the seed sphere of 14 mm scatter far more"):
-            organ = flipfree.segment(abdomen().image, (168.75, 148.75, 139), 14)
+            organ = flipfree.segment(flipfree.phantom("abdomen").image, (168.75, 148.75, 139), 14)
         self.assertEqual(organ.questions, ())
         self.assertLess(organ.confidence, 0.25)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import (HAS_VTK, RADIUS, SEED, axes_of, image, liver, needs_files, needs_vtk, needs_wheel,
+from example import (HAS_VTK, RADIUS, SEED, SIZE, SPACING, axes_of, image, liver, needs_files, needs_vtk, needs_wheel,
                      points_of, spacing_of, surface_of, truth)
 
 if HAS_VTK:
@@ -68,9 +68,9 @@ class Output(unittest.TestCase):
 
     def test_labels_are_the_voxels_within(self):
         labels = liver().labels
-        self.assertEqual(labels.shape, (90, 170, 220))
+        self.assertEqual(labels.shape, SIZE[::-1])
         self.assertEqual(set(numpy.unique(labels)), {0, 1})
-        i, j, k = (numpy.array(SEED) / (1.5, 1.5, 3)).round().astype(int)
+        i, j, k = (numpy.array(SEED) / SPACING).round().astype(int)
         self.assertEqual(labels[k, j, i], 1)
         self.assertEqual(labels[0, 0, 0], 0)
 
@@ -153,13 +153,13 @@ class Pickles(unittest.TestCase):
 class Input(unittest.TestCase):
     def test_array_with_its_geometry(self):
         array = flipfree.array_from_image(image())
-        result = flipfree.segment(array, numpy.array(SEED), RADIUS, spacing=(1.5, 1.5, 3))
+        result = flipfree.segment(array, numpy.array(SEED), RADIUS, spacing=SPACING)
         numpy.testing.assert_array_equal(result.points, liver().points)
 
     def test_array_that_is_turned_moved_and_not_contiguous(self):
         array = numpy.asfortranarray(flipfree.array_from_image(image()))
         direction, origin = oblique(), numpy.array([10, -200, 1000])
-        result = flipfree.segment(array, direction @ SEED + origin, RADIUS, spacing=(1.5, 1.5, 3),
+        result = flipfree.segment(array, direction @ SEED + origin, RADIUS, spacing=SPACING,
                                   origin=origin, direction=direction)
         numpy.testing.assert_allclose(axes_of(result.label_map), direction, atol=1e-15)
         overlap = numpy.count_nonzero(result.labels & liver().labels)
@@ -168,17 +168,17 @@ class Input(unittest.TestCase):
     @needs_files
     def test_voxels_without_data(self):
         voxels = flipfree.array_from_image(image())
-        columns = numpy.arange(voxels.shape[2]) * 1.5
-        rows = numpy.arange(voxels.shape[1])[:, None] * 1.5
+        columns = numpy.arange(voxels.shape[2]) * SPACING[0]
+        rows = numpy.arange(voxels.shape[1])[:, None] * SPACING[1]
         outside = numpy.broadcast_to(numpy.hypot(columns - SEED[0], rows - SEED[1]) > 95, voxels.shape)
         masked = numpy.ma.array(voxels, mask=outside)
-        result = flipfree.segment(masked, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+        result = flipfree.segment(masked, SEED, RADIUS, spacing=SPACING)
         # Up to what the surface rounds.
         self.assertLess(numpy.count_nonzero(result.labels[outside]), 1e-3 * numpy.count_nonzero(result.labels))
         self.assertAlmostEqual(flipfree.evaluate(result, truth(), reference_label=flipfree.Organ.LIVER).dice,
                                flipfree.evaluate(liver(), truth(), reference_label=flipfree.Organ.LIVER).dice, delta=0.03)
         numbers = numpy.where(outside, numpy.inf, voxels.astype(numpy.float64))
-        same = flipfree.segment(numbers, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+        same = flipfree.segment(numbers, SEED, RADIUS, spacing=SPACING)
         numpy.testing.assert_array_equal(same.points, result.points)
 
     def test_file(self):
@@ -287,9 +287,9 @@ class Parameters(unittest.TestCase):
         published, naive = (flipfree.default_parameters(preset) for preset in ("published", "naive"))
         self.assertEqual([(preset["guard"], preset["avoid_flips"]) for preset in (published, naive)],
                          [(False, True), (False, False)])
-        result = flipfree.segment(image(), SEED, RADIUS, preset="naive", maximum_iterations=9,
+        result = flipfree.segment(image(), SEED, RADIUS, preset="naive", maximum_iterations=5,
                                   resolution=16)
-        self.assertEqual(len(result.iterations["Iteration"]), 9)
+        self.assertEqual(len(result.iterations["Iteration"]), 5)
         self.assertEqual(len(result.points), 6 * 16 * 16)
 
     def test_are_in_the_help(self):

@@ -15,7 +15,7 @@ from pathlib import Path
 import flipfree
 import numpy
 from flipfree import _boundary_found
-from example import (HAS_VTK, RADIUS, SEED, image, liver, needs_files, needs_vtk, start_python, surface_of,
+from example import (HAS_VTK, RADIUS, SEED, SPACING, image, liver, needs_files, needs_vtk, start_python, surface_of,
                      truth)
 
 if HAS_VTK:
@@ -72,20 +72,20 @@ class Failures(unittest.TestCase):
         array = flipfree.array_from_image(image())
         for bad in (math.nan, math.inf, 1e300):
             voxels = array.astype(float)
-            voxels[55, 55, 66] = bad
+            voxels[28, 28, 33] = bad
             self.refuse(flipfree.SegmentationError,
-                        r"the seed sphere touches a voxel without data \(not a finite number\), at \(99, 82.5, 165\) mm",
-                        voxels, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+                        r"the seed sphere touches a voxel without data \(not a finite number\), at \(99, 84, 168\) mm",
+                        voxels, SEED, RADIUS, spacing=SPACING)
         masked = numpy.ma.array(array, mask=False)
-        masked[55, 55, 66] = numpy.ma.masked
+        masked[28, 28, 33] = numpy.ma.masked
         self.refuse(flipfree.SegmentationError, r"the seed sphere touches a voxel without data", masked, SEED, RADIUS,
-                    spacing=(1.5, 1.5, 3))
+                    spacing=SPACING)
         masked = numpy.ma.array(array, mask=False)
-        masked[:, :, 120:] = numpy.ma.masked
+        masked[:, :, 60:] = numpy.ma.masked
         for kind in ("inside", "boundary"):
             self.refuse(flipfree.SegmentationError,
                         rf"the {kind} point \(200, 80, 167\) mm touches a voxel without data", masked, SEED, RADIUS,
-                        spacing=(1.5, 1.5, 3), **{kind: [(200, 80, 167)]})
+                        spacing=SPACING, **{kind: [(200, 80, 167)]})
 
     def test_seed_and_radius(self):
         for error, message, seed, radius in (
@@ -211,7 +211,7 @@ except (flipfree.SegmentationError, MemoryError) as error:
 class Warnings(unittest.TestCase):
     def test_name_what_the_caller_wrote_and_point_to_the_callers_line(self):
         for radius, parameters, words in ((RADIUS, {"reach": 30}, r"raise reach where the organ is that large\.$"),
-                                          (160, {"maximum_iterations": 0}, r"lower radius or move seed\.$")):
+                                          (160, {"maximum_iterations": 0, "resolution": 8, "carving": False}, r"lower radius or move seed\.$")):
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 flipfree.segment(image(), SEED, radius, **parameters)

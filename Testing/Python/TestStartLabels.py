@@ -71,7 +71,7 @@ class StartLabels(unittest.TestCase):
             numpy.testing.assert_array_equal(fill(path, resolution=8).points, fill(resolution=8).points)
 
     def test_are_corrected_by_points(self):
-        voxel, place = (56, 56, 40), (60, 84, 168)  # axes k, j, i; LPS
+        voxel, place = (28, 28, 20), (60, 84, 168)  # axes k, j, i; LPS
         liver = fill(resolution=16)
         self.assertEqual(liver.labels[voxel], 1)
         better = liver.corrected(outside=[place])

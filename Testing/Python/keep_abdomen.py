@@ -7,9 +7,9 @@ import sys
 
 import flipfree
 import numpy
-from example import axes_of
+from example import SIZE, SPACING, axes_of
 
-phantom = flipfree.phantom("abdomen")
+phantom = flipfree.phantom("abdomen", dimensions=SIZE, spacing=SPACING)
 numpy.savez(
     sys.argv[1],
     image=flipfree.array_from_image(phantom.image),

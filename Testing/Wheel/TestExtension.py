@@ -13,7 +13,7 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import RADIUS, SEED, coarse_liver, image, liver, truth
+from example import RADIUS, SEED, SPACING, coarse_liver, image, liver, truth
 from flipfree._backend import SCORE_COLUMNS
 
 ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
@@ -155,12 +155,12 @@ class CtrlC(unittest.TestCase):
 class Voxels(unittest.TestCase):
     def test_types_and_layouts(self):
         array = flipfree.array_from_image(image())
-        expected = flipfree.segment(array, SEED, RADIUS, spacing=(1.5, 1.5, 3), resolution=8).points
+        expected = flipfree.segment(array, SEED, RADIUS, spacing=SPACING, resolution=8).points
         for voxels in (array.astype("int32"), array.astype("int64"), array.astype("float32"),
                        array.astype("float64"), array.astype(">i2"), numpy.asfortranarray(array),
                        array[::1, ::-1][:, ::-1]):
             with self.subTest(dtype=voxels.dtype, strides=voxels.strides):
-                organ = flipfree.segment(voxels, SEED, RADIUS, spacing=(1.5, 1.5, 3), resolution=8)
+                organ = flipfree.segment(voxels, SEED, RADIUS, spacing=SPACING, resolution=8)
                 numpy.testing.assert_array_equal(organ.points, expected)
 
     def test_improper_grids(self):

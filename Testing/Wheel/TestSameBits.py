@@ -20,6 +20,7 @@ VESSELS = {
     "corrected": ("vessel", {"inside": [(48, 60, 50)], "outside": [(20, 47, 44)], "levels": 1}),
 }
 SEED, RADIUS = (99.75, 83.75, 167), 28
+GRID = {"dimensions": (110, 86, 46), "spacing": (3, 3, 6)}  # half the phantom's own along each axis
 RUNS = {
     "default": {},
     "carving": {"carving": True},
@@ -84,13 +85,13 @@ def vessels():
 def results():
     """What either package has to say, by name."""
     warnings.simplefilter("ignore")
-    phantom = flipfree.phantom("abdomen")
+    phantom = flipfree.phantom("abdomen", **GRID)
     found = {
         "image": numpy.array(flipfree.array_from_image(phantom.image)),
         "truth": numpy.array(flipfree.array_from_image(phantom.label_map)),
         "seeds": phantom.seeds,
         "lesions": flipfree.array_from_image(
-            flipfree.phantom("abdomen", number_of_lesions=3, random_seed=5).image).sum(),
+            flipfree.phantom("abdomen", number_of_lesions=3, random_seed=5, **GRID).image).sum(),
         "help": flipfree.segment.__doc__.partition("The other parameters:")[2],
         "help of evaluate": flipfree.evaluate.__doc__.partition("The other parameters:")[2],
         "signature": str(flipfree.segment.__signature__).partition("progress")[2],

@@ -20,16 +20,14 @@ if (FLIPFREE_BUILD_COMMAND)
     CommonTransforms
     ImagingCore
     IOCore
-    IOGeometry
     IOImage
-    IOPLY
     IOXML
     RenderingCore
     RenderingFreeType
     RenderingOpenGL2)
 endif ()
 if (BUILD_TESTING OR FLIPFREE_BUILD_BENCHMARKS)
-  list(APPEND _flipfree_vtk_components CommonSystem IOXML)
+  list(APPEND _flipfree_vtk_components CommonSystem IOGeometry IOPLY IOXML)
 endif ()
 if (BUILD_TESTING)
   list(APPEND _flipfree_vtk_components

@@ -7,11 +7,13 @@
 #include "OutputFile.h"
 #include "Polygons.h"
 #include "Run.h"
+#include "SurfaceOrigin.h"
 #include "TextFile.h"
 #include "UnreadableFile.h"
 
 #include "Exchange/FileProblem.h"
 #include "Exchange/PolygonFile.h"
+#include "Exchange/SurfaceBytes.h"
 #include "Exchange/VtpHeader.h"
 
 #include "vtkCellArray.h"
@@ -19,10 +21,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkOBJWriter.h"
-#include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
-#include "vtkSTLWriter.h"
 #include "vtkSurfaceValidity.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
@@ -57,53 +56,32 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name, const std::string&
   }
 }
 
-template <typename Writer>
-void Prepare(Writer*, vtkPolyData*)
+/// By a format of triangles.
+template <std::string (*Bytes)(const FlipFree::PointView&, const FlipFree::TriangleView&,
+  const std::vector<std::string>&)>
+void WriteTriangles(const std::string& name, vtkPolyData* surface)
 {
+  WriteText(name,
+    Bytes(FlipFree::CopyPoints(surface), FlipFree::Triangulate(FlipFree::CopyPolys(surface)),
+      FlipFree::CommentsOn(ProvenanceOf(surface))));
 }
 
-void Prepare(vtkSTLWriter* writer, vtkPolyData* surface)
-{
-  writer->SetFileTypeToBinary();
-  writer->SetHeader(FlipFree::CommentsOn(ProvenanceOf(surface)).front().c_str());
-}
-
-void Prepare(vtkPLYWriter* writer, vtkPolyData* surface)
-{
-  for (const std::string& comment : FlipFree::CommentsOn(ProvenanceOf(surface)))
-  {
-    writer->AddComment(comment);
-  }
-}
-
-void Prepare(vtkXMLPolyDataWriter* writer, vtkPolyData*)
-{
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-}
-
-template <typename Writer>
-void WriteBy(const std::string& name, vtkPolyData* surface)
-{
-  vtkNew<Writer> writer;
-  writer->SetFileName(name.c_str());
-  writer->SetInputData(surface);
-  Prepare(writer.Get(), surface);
-  Run(writer, "writing", {}, [&writer]() { writer->Write(); });
-}
-
-/// VTK's writer takes no comments.
 void WriteObj(const std::string& name, vtkPolyData* surface)
 {
-  WriteBy<vtkOBJWriter>(name, surface);
-  std::ostringstream text;
-  for (const std::string& comment : FlipFree::CommentsOn(ProvenanceOf(surface)))
-  {
-    text << "# " << comment << "\n";
-  }
-  text << ReadBytes(name);
-  const std::string bytes = text.str();
-  WriteBytes(name, bytes.data(), bytes.size());
+  WriteText(name,
+    FlipFree::ObjBytes(FlipFree::CopyPoints(surface), FlipFree::CopyPolys(surface),
+      FlipFree::CommentsOn(ProvenanceOf(surface))));
+}
+
+/// VTK writes whatever arrays there are.
+void WriteVtp(const std::string& name, vtkPolyData* surface)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(name.c_str());
+  writer->SetInputData(surface);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  Run(writer, "writing", {}, [&writer]() { writer->Write(); });
 }
 
 struct Format
@@ -117,9 +95,9 @@ struct Format
 const Format& FormatOf(const std::string& name)
 {
   static const std::vector<Format> formats{
-    { ".vtp", ReadVtp, WriteBy<vtkXMLPolyDataWriter> },
-    { ".stl", ReadPolygons, WriteBy<vtkSTLWriter> },
-    { ".ply", ReadPolygons, WriteBy<vtkPLYWriter> },
+    { ".vtp", ReadVtp, WriteVtp },
+    { ".stl", ReadPolygons, WriteTriangles<FlipFree::StlBytes> },
+    { ".ply", ReadPolygons, WriteTriangles<FlipFree::PlyBytes> },
     { ".obj", ReadPolygons, WriteObj },
   };
   for (const Format& format : formats)
@@ -302,7 +280,7 @@ void WriteLines(const std::string& name, vtkPolyData* lines)
   bool whole = false;
   try
   {
-    WriteBy<vtkXMLPolyDataWriter>(name, lines);
+    WriteVtp(name, lines);
     FlipFree::ValidateVtp(name, ReadBytes(name));
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(name.c_str());

@@ -1,26 +1,47 @@
 #include "TableFile.h"
 
 #include "OutputFile.h"
-#include "Run.h"
+#include "TableText.h"
 
-#include "vtkDelimitedTextWriter.h"
-#include "vtkNew.h"
+#include "vtkAbstractArray.h"
 #include "vtkTable.h"
-
-#include <cstring>
-#include <memory>
+#include "vtkVariant.h"
 
 namespace Command
 {
+namespace
+{
+
+TableCell CellOf(vtkAbstractArray* column, vtkIdType row)
+{
+  const vtkVariant value = column->GetVariantValue(row);
+  if (value.IsString())
+  {
+    return value.ToString();
+  }
+  if (value.IsFloat() || value.IsDouble())
+  {
+    return value.ToDouble();
+  }
+  return std::int64_t{ value.ToTypeInt64() };
+}
+
+} // namespace
 
 void WriteTable(const std::string& name, vtkTable* table)
 {
-  vtkNew<vtkDelimitedTextWriter> writer;
-  writer->SetInputData(table);
-  writer->WriteToOutputStringOn();
-  Run(writer, "writing", {}, [&writer]() { writer->Write(); });
-  const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
-  WriteBytes(name, text.get(), std::strlen(text.get()));
+  std::vector<std::string> columns;
+  std::vector<std::vector<TableCell>> rows(table->GetNumberOfRows());
+  for (vtkIdType number = 0; number < table->GetNumberOfColumns(); ++number)
+  {
+    vtkAbstractArray* const column = table->GetColumn(number);
+    columns.emplace_back(column->GetName());
+    for (std::size_t row = 0; row < rows.size(); ++row)
+    {
+      rows[row].push_back(CellOf(column, static_cast<vtkIdType>(row)));
+    }
+  }
+  WriteText(name, TextOfTable(columns, rows));
 }
 
 } // namespace Command

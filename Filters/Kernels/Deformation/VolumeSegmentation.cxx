@@ -69,7 +69,7 @@ void RequireGuard(const ConstraintList& constraints, bool guard)
   {
     throw Error(ErrorCode::OutOfRange,
       NameOf(constraints.front()) +
-        " can only be obeyed under the guard; switch {Guard} on, or remove the constraints");
+        " can only be obeyed under the guard; switch {Guard} on, or remove the corrections");
   }
 }
 

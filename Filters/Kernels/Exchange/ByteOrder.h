@@ -1,5 +1,5 @@
 /**
- * Numbers from the bytes of files, in either order.
+ * Numbers from the bytes of files, in either order, and to bytes of the more common one.
  */
 #ifndef FlipFreeByteOrder_h
 #define FlipFreeByteOrder_h
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string>
 
 namespace FlipFree
 {
@@ -32,6 +33,18 @@ T NumberFrom(const void* bytes, bool isBigEndian)
   T number;
   std::memcpy(&number, ordered, sizeof(T));
   return number;
+}
+
+template <typename T>
+void AppendLittleEndian(std::string& bytes, T number)
+{
+  char ordered[sizeof(T)];
+  std::memcpy(ordered, &number, sizeof(T));
+  if (MachineIsBigEndian())
+  {
+    std::reverse(ordered, ordered + sizeof(T));
+  }
+  bytes.append(ordered, sizeof(T));
 }
 
 } // namespace FlipFree

@@ -42,14 +42,12 @@ private:
 template <typename Visit>
 void VisitBeside(const LabelParts& parts, std::size_t row, std::size_t otherRow, const Visit& visit)
 {
-  const auto endOf = [&parts](std::size_t run, std::size_t endOfRow)
-  { return run + 1 == endOfRow ? parts.Size[0] : parts.Runs[run + 1].Begin; };
   std::size_t run = parts.RowBegin[row];
   std::size_t other = parts.RowBegin[otherRow];
   while (run < parts.RowBegin[row + 1] && other < parts.RowBegin[otherRow + 1])
   {
-    const int end = endOf(run, parts.RowBegin[row + 1]);
-    const int otherEnd = endOf(other, parts.RowBegin[otherRow + 1]);
+    const int end = parts.EndOf(run, row);
+    const int otherEnd = parts.EndOf(other, otherRow);
     visit(static_cast<int>(run), static_cast<int>(other),
       std::min(end, otherEnd) - std::max(parts.Runs[run].Begin, parts.Runs[other].Begin));
     run += end <= otherEnd ? 1 : 0;
@@ -318,9 +316,7 @@ LabelParts::LabelParts(const LabelGrid& grid, const LabelCells& cells)
         this->Parts.push_back({ labels[run], 0 });
       }
       this->Runs[run].Part = this->Runs[first].Part;
-      const int end =
-        run + 1 == this->RowBegin[row + 1] ? this->Size[0] : this->Runs[run + 1].Begin;
-      this->Parts[this->Runs[run].Part].Voxels += end - this->Runs[run].Begin;
+      this->Parts[this->Runs[run].Part].Voxels += this->EndOf(run, row) - this->Runs[run].Begin;
     }
   }
 }
@@ -367,9 +363,8 @@ LabelGrid KeepParts(LabelGrid grid, const LabelPartSettings& settings,
       int* const voxels = grid.Labels.data() + row * grid.Size[0];
       for (std::size_t run = parts.RowBegin[row]; run < parts.RowBegin[row + 1]; ++run)
       {
-        const int end =
-          run + 1 == parts.RowBegin[row + 1] ? grid.Size[0] : parts.Runs[run + 1].Begin;
-        std::fill(voxels + parts.Runs[run].Begin, voxels + end, labels[parts.Runs[run].Part]);
+        const LabelParts::Run& it = parts.Runs[run];
+        std::fill(voxels + it.Begin, voxels + parts.EndOf(run, row), labels[it.Part]);
       }
     }
   }

@@ -45,6 +45,12 @@ struct LabelParts
     int Part = 0;
   };
 
+  /// Where a run of a row ends.
+  int EndOf(std::size_t run, std::size_t row) const
+  {
+    return run + 1 == this->RowBegin[row + 1] ? this->Size[0] : this->Runs[run + 1].Begin;
+  }
+
   /// Calls visit(one, other, faces) for runs of two parts that have faces of voxels in common.
   template <typename Visit>
   void VisitBorders(const Visit& visit) const;

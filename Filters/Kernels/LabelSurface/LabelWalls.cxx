@@ -256,7 +256,10 @@ private:
       }
       const Corner& odd = c[count == 1 ? 0 : 3];
       const Corner* const others = c + (count == 1 ? 1 : 0);
-      this->AddWall(odd, others[0], this->OnEdge(odd, others[1]), this->OnEdge(odd, others[2]));
+      // In an order of their own: that of arguments is each compiler's.
+      const int third = this->OnEdge(odd, others[2]);
+      const int second = this->OnEdge(odd, others[1]);
+      this->AddWall(odd, others[0], second, third);
     }
     else if (begins.size() == 3)
     {

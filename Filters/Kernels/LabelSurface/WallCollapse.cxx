@@ -274,8 +274,8 @@ private:
       sum += (this->Point(corners[0]) - this->Point(corners[1])).norm();
     }
     constexpr double edges = 3;
-    return std::max(edges * sum / std::max<Eigen::Index>(1, this->Walls.Triangles.rows()),
-      std::numeric_limits<float>::min() * 1.0);
+    return std::max<double>(edges * sum / std::max<Eigen::Index>(1, this->Walls.Triangles.rows()),
+      std::numeric_limits<float>::min());
   }
 
   std::vector<Spoke> SpokesOf(int vertex) const

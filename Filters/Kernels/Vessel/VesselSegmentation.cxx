@@ -46,7 +46,7 @@ void RequireCorrections(const ImageGeometry& geometry, const PointList& points,
     {
       throw Error(ErrorCode::OutOfRange,
         NameOf(constraint) +
-          " can only be obeyed under the guard; switch {Guard} on, or remove the constraints");
+          " can only be obeyed under the guard; switch {Guard} on, or remove the corrections");
     }
   }
   RequireConstraints(geometry, constraints, name);

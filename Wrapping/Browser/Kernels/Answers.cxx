@@ -2,6 +2,7 @@
 
 #include "Deformation/ConvergenceColumns.h"
 #include "Deformation/Provenance.h"
+#include "Mesh/SurfaceTopology.h"
 
 namespace FlipFree
 {
@@ -33,6 +34,18 @@ val ColumnsOf(const std::vector<IterationRecord>& records)
 }
 
 } // namespace
+
+PolygonSurface SurfaceOf(const val& surface, const std::string& name)
+{
+  const auto coordinates = emscripten::convertJSArrayToNumberVector<double>(surface["points"]);
+  PolygonSurface copy;
+  copy.Points = Eigen::Map<const PointList>(coordinates.data(),
+    static_cast<Eigen::Index>(coordinates.size() / 3), 3);
+  copy.Faces.Connectivity = emscripten::convertJSArrayToNumberVector<int>(surface["corners"]);
+  copy.Faces.Offsets = emscripten::convertJSArrayToNumberVector<int>(surface["offsets"]);
+  RequireValidFaces(copy.Points, copy.Faces, name);
+  return copy;
+}
 
 val ArrayOf(const std::vector<VoxelRun>& runs)
 {

@@ -29,6 +29,15 @@ struct Origin
   bool IsCertified;
 };
 
+struct PolygonSurface
+{
+  PointList Points;
+  FaceList Faces;
+};
+
+/// Of { points, corners, offsets }, which messages call `name`.
+PolygonSurface SurfaceOf(const val& surface, const std::string& name);
+
 /// Four numbers each: j, k, first i, one past the last i.
 val ArrayOf(const std::vector<VoxelRun>& runs);
 

@@ -5,7 +5,7 @@
 #include "Measures/ScoreColumns.h"
 #include "Measures/ScoreParameters.h"
 #include "Measures/SegmentationScores.h"
-#include "Mesh/SurfaceTopology.h"
+#include "Mesh/ContourMesh.h"
 #include "TextWords.h"
 
 #include <emscripten/bind.h>
@@ -33,25 +33,6 @@ val ObjectOf(const SegmentationScores& scores)
     [&answer](const char* name, const auto& value) { answer.set(FieldName(name), value); });
   answer.set("warnings", val::array(scores.Warnings));
   return answer;
-}
-
-struct PolygonSurface
-{
-  PointList Points;
-  FaceList Faces;
-};
-
-// Of { points, corners, offsets }.
-PolygonSurface SurfaceOf(const val& surface, const std::string& name)
-{
-  const auto coordinates = emscripten::convertJSArrayToNumberVector<double>(surface["points"]);
-  PolygonSurface copy;
-  copy.Points = Eigen::Map<const PointList>(coordinates.data(),
-    static_cast<Eigen::Index>(coordinates.size() / 3), 3);
-  copy.Faces.Connectivity = emscripten::convertJSArrayToNumberVector<int>(surface["corners"]);
-  copy.Faces.Offsets = emscripten::convertJSArrayToNumberVector<int>(surface["offsets"]);
-  RequireValidFaces(copy.Points, copy.Faces, name);
-  return copy;
 }
 
 ScoreSettings SettingsOf(const val& parameters)

@@ -1,11 +1,14 @@
-// Headers of image files, and the voxels that they describe.
-#include "Bindings.h"
+// Headers of image files, the voxels that they describe, and files of surfaces.
+#include "Answers.h"
 #include "Volume.h"
 #include "VoxelArrays.h"
 
 #include "Exchange/NiftiHeader.h"
+#include "Exchange/SurfaceBytes.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
+#include "Exchange/VtpBytes.h"
+#include "Mesh/ContourMesh.h"
 
 #include <emscripten/bind.h>
 
@@ -108,17 +111,51 @@ val HeaderFiles(const std::string& name)
   return val::array(HeaderFilesOf(name));
 }
 
-// { bytes } that stand before voxels of one byte each.
+// { bytes }.
+val AnswerOfBytes(const std::string& bytes)
+{
+  val answer = val::object();
+  answer.set("bytes", ArrayOf(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+  return answer;
+}
+
+// What stands before voxels of one byte each.
 val NiftiBytes(const std::string& name, const val& image)
+{
+  return Guarded(
+    [&] { return AnswerOfBytes(NiftiHeaderOf(name, GeometryOf(image), VoxelType::UInt8)); });
+}
+
+VtpContent ContentOf(const val& result, const std::string& provenance)
+{
+  VtpContent content;
+  const double certified = result["certified"].as<bool>() ? 1 : 0;
+  content.Fields = { VtpNumbers("Certified", &certified, 1), VtpText("Provenance", provenance) };
+  if (!result["vertexConfidence"].isUndefined()) // of an organ
+  {
+    const double confidence = result["confidence"].as<double>();
+    const auto values = emscripten::convertJSArrayToNumberVector<float>(result["vertexConfidence"]);
+    content.Fields.push_back(VtpNumbers("Confidence", &confidence, 1));
+    content.PointData.push_back(VtpNumbers("Confidence", values.data(), values.size()));
+  }
+  return content;
+}
+
+// Of { surface, certified, comments, confidence, vertexConfidence }.
+val SurfaceFile(const val& result, const std::string& format, const std::string& provenance)
 {
   return Guarded(
     [&]
     {
-      const std::string bytes = NiftiHeaderOf(name, GeometryOf(image), VoxelType::UInt8);
-      val answer = val::object();
-      answer.set("bytes",
-        ArrayOf(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-      return answer;
+      const PolygonSurface surface = SurfaceOf(result["surface"], "the surface");
+      if (format == "vtp")
+      {
+        return AnswerOfBytes(
+          VtpBytes(surface.Points, surface.Faces, ContentOf(result, provenance)));
+      }
+      const auto comments = emscripten::vecFromJSArray<std::string>(result["comments"]);
+      const auto bytes = format == "stl" ? &StlBytes : &PlyBytes;
+      return AnswerOfBytes(bytes(surface.Points, Triangulate(surface.Faces), comments));
     });
 }
 
@@ -144,6 +181,7 @@ void BindExchange()
   emscripten::function("headerFiles", &HeaderFiles);
   emscripten::function("readHeader", &ReadHeader);
   emscripten::function("niftiHeader", &NiftiBytes);
+  emscripten::function("surfaceBytes", &SurfaceFile);
   emscripten::function("whyIncomplete", &WhyIncomplete);
 }
 

@@ -1,6 +1,8 @@
 /** FlipFree in a page or in Node: the work is done in a worker. */
 import type { PhantomShape } from "./engine.js";
 import type { Answers, FromWorker, Kind, Requests, ToWorker } from "./messages.js";
+import type { OriginNames } from "./provenance.js";
+import type { SurfaceFormat } from "./surfacefiles.js";
 import {
   type DicomSeries,
   type EvaluateOptions,
@@ -27,6 +29,7 @@ import {
   type TraceOptions,
   type Triple,
   type Vessel,
+  isOrgan,
 } from "./types.js";
 
 interface WorkerLike {
@@ -179,6 +182,14 @@ export class FlipFree {
   /** A compressed NIfTI-1 file of a label map of 8 bits. */
   labelMapFile(labelMap: Image): Promise<Blob> {
     return this.ask("labelMapFile", { labelMap });
+  }
+
+  /** A file of a result's surface, as the command writes it: coordinates in LPS millimeters, and where it comes from. Triangles
+   * in STL and PLY, the faces as they are in VTP, which alone holds the confidence of an organ and the names. */
+  surfaceFile(result: Organ | Vessel, format: SurfaceFormat, names: OriginNames = {}): Promise<Blob> {
+    const { surface, certified, provenance, comments } = result;
+    const ofOrgan = isOrgan(result) ? { confidence: result.confidence, vertexConfidence: result.vertexConfidence } : {};
+    return this.ask("surfaceFile", { result: { surface, certified, provenance, comments, ...ofOrgan }, format, names });
   }
 
   phantom(shape: PhantomShape, options: PhantomOptions = {}): Promise<Phantom> {

@@ -5,6 +5,8 @@ import { countVoxels } from "./grid.js";
 import { type KernelDicom, listSeries, readSeries } from "./dicom.js";
 import { packed } from "./inflated.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
+import { type OriginNames, namedProvenance } from "./provenance.js";
+import type { SurfaceFormat, WrittenSurface } from "./surfacefiles.js";
 import {
   type Corrections,
   type DicomSeries,
@@ -74,6 +76,7 @@ interface KernelPhantom {
 /** The module that emscripten makes of Kernels/. */
 export interface KernelModule extends KernelFiles, KernelDicom {
   niftiHeader(name: string, image: Image): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
+  surfaceBytes(result: WrittenSurface, format: string, provenance: string): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
@@ -99,6 +102,8 @@ export type KernelFactory = (options: {
 
 const shapes = ["sphere", "cube", "cup", "u-tube", "vessel", "abdomen"] as const;
 export type PhantomShape = (typeof shapes)[number];
+
+const mediaTypes: Record<SurfaceFormat, string> = { vtp: "application/xml", stl: "model/stl", ply: "model/ply" };
 
 const goOn: Report = () => true;
 
@@ -249,6 +254,13 @@ export class Engine {
     }
     const { bytes } = this.checked(this.kernels.niftiHeader("the label map", labelMap));
     return packed([bytes, voxels as Uint8Array<ArrayBuffer>]);
+  }
+
+  /** A file of a surface. Only VTP holds the faces as they are, double precision, the confidence, and the names. */
+  surfaceFile(result: WrittenSurface, format: SurfaceFormat, names: OriginNames): Blob {
+    const provenance = namedProvenance(result.provenance, names);
+    const { bytes } = this.checked(this.kernels.surfaceBytes(result, format, provenance));
+    return new Blob([bytes], { type: mediaTypes[format] });
   }
 
   phantom(shape: PhantomShape, parameters: Parameters = {}, report: Report = goOn): Phantom {

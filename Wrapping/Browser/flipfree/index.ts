@@ -6,12 +6,8 @@ export { type OriginNames, namedProvenance } from "./provenance.js";
 export {
   type SurfaceFormat,
   isSinglePrecision,
-  plyFile,
   roundedSurface,
-  stlFile,
-  surfaceFile,
   surfaceFormats,
   trianglesOf,
-  vtpFile,
 } from "./surfacefiles.js";
 export * from "./types.js";

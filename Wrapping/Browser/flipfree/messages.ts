@@ -2,6 +2,8 @@
  *
  * A kind of work is an entry of `Requests` and `Answers` and a case of the worker: what a page sends and gets. */
 import type { PhantomShape } from "./engine.js";
+import type { OriginNames } from "./provenance.js";
+import type { SurfaceFormat, WrittenSurface } from "./surfacefiles.js";
 import type {
   Corrections,
   DicomSeries,
@@ -39,6 +41,7 @@ export interface Requests {
   readVolume: { files: readonly NamedFile[]; series: string };
   listSeries: { files: readonly NamedFile[] };
   labelMapFile: { labelMap: Image };
+  surfaceFile: { result: WrittenSurface; format: SurfaceFormat; names: OriginNames };
   phantom: { shape: PhantomShape; parameters: Parameters };
   memory: Record<string, never>;
 }
@@ -56,6 +59,7 @@ export interface Answers {
   readVolume: OpenedVolume;
   listSeries: DicomSeries[];
   labelMapFile: Blob;
+  surfaceFile: Blob;
   phantom: Phantom;
   memory: number;
 }

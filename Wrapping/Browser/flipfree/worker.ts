@@ -44,6 +44,7 @@ const work: Work = {
   readVolume: (engine, { files, series }, report) => engine.readVolume(files, series, report),
   listSeries: (engine, { files }, report) => engine.listSeries(files, report),
   labelMapFile: (engine, { labelMap }) => engine.labelMapFile(labelMap),
+  surfaceFile: (engine, { result, format, names }) => engine.surfaceFile(result, format, names),
   phantom: (engine, { shape, parameters }, report) => engine.phantom(shape, parameters, report),
   memory: (engine) => engine.memory,
 };

@@ -6,7 +6,6 @@ import {
   fillRuns,
   isSinglePrecision,
   roundedSurface,
-  surfaceFile,
 } from "../flipfree/index.js";
 import { app, flipfree, organs } from "./app.js";
 import { select } from "./dom.js";
@@ -43,7 +42,7 @@ export const saveSurface = () =>
     if (result) {
       await requireValid(result, format);
       const names = { image: app.opened?.name, organ: name, color, startLabels: start?.name };
-      save(surfaceFile(result, format, names), `${fileNameOf(name)}.${format}`);
+      save(await flipfree.surfaceFile(result, format, names), `${fileNameOf(name)}.${format}`);
     }
   });
 

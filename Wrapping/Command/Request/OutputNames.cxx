@@ -55,6 +55,18 @@ void RequireOutputs(const std::vector<RequestedFile>& files)
   }
 }
 
+void AnnounceFiles(const std::vector<RequestedFile>& files, const std::vector<std::string>& inputs,
+  const Announce& announce)
+{
+  for (const RequestedFile& file : files)
+  {
+    if (!file.Name.empty())
+    {
+      announce(file.Option, file.Name, inputs);
+    }
+  }
+}
+
 void OutputNames::Add(const std::string& option, const std::string& name,
   const std::vector<std::string>& inputs)
 {

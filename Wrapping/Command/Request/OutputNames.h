@@ -27,6 +27,10 @@ void RequireOutputs(const std::vector<RequestedFile>& files);
 using Announce = std::function<void(const std::string& option, const std::string& name,
   const std::vector<std::string>& inputs)>;
 
+/// Those that are asked for.
+void AnnounceFiles(const std::vector<RequestedFile>& files, const std::vector<std::string>& inputs,
+  const Announce& announce);
+
 class OutputNames
 {
 public:

@@ -121,18 +121,6 @@ void AddSession(SegmentPlan& plan)
   }
 }
 
-void AnnounceFiles(const std::vector<RequestedFile>& files, const std::vector<std::string>& inputs,
-  const Announce& announce)
-{
-  for (const RequestedFile& file : files)
-  {
-    if (!file.Name.empty())
-    {
-      announce(file.Option, file.Name, inputs);
-    }
-  }
-}
-
 void AnnounceOrgan(const SegmentRequest& request, const Announce& announce)
 {
   std::vector<std::string> kept = request.Corrections.StrokeFiles();

@@ -232,13 +232,10 @@ OriginNames NamesOf(const SegmentRequest& request)
   names.StartLabel = request.StartLabel;
   names.Organs = { request.Repeated.Title };
   names.Colors = { request.Repeated.Color };
-  for (const std::string* file :
-    { &request.Surface, &request.Labels, &request.Convergence, &request.SessionOut })
+  if (names.Organs[0].empty())
   {
-    if (names.Organs[0].empty() && !file->empty())
-    {
-      names.Organs[0] = OrganOfFile(*file);
-    }
+    names.Organs[0] =
+      OrganOfFiles({ request.Surface, request.Labels, request.Convergence, request.SessionOut });
   }
   return names;
 }

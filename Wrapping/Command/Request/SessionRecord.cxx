@@ -79,9 +79,11 @@ std::string NamedProvenance(const std::string& provenance, const OriginNames& na
   return TextOf(session);
 }
 
-std::string OrganOfFile(const std::string& file)
+std::string OrganOfFiles(const std::vector<std::string>& files)
 {
-  const std::string name = NameIn(file);
+  const auto file =
+    std::find_if(files.begin(), files.end(), [](const std::string& name) { return !name.empty(); });
+  const std::string name = file == files.end() ? std::string() : NameIn(*file);
   return name.substr(0, name.find('.', 1));
 }
 

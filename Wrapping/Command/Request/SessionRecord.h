@@ -27,8 +27,9 @@ struct OriginNames
 /// With the names, of files without their folders.
 std::string NamedProvenance(const std::string& provenance, const OriginNames& names);
 
-/// The name of an organ that has none, after a file: `liver` for `out/liver.vtp`.
-std::string OrganOfFile(const std::string& file);
+/// The name of an organ that has none, after the first file that has a name: `liver` for
+/// `out/liver.vtp`.
+std::string OrganOfFiles(const std::vector<std::string>& files);
 
 /// An organ's name as it can stand in names of files: letters, digits and dashes.
 std::string FileNameOf(const std::string& organ);

@@ -72,17 +72,8 @@ void AnnounceOutputs(const TraceRequest& request, const Announce& announce)
   kept.push_back(request.Input);
   std::vector<std::string> inputs = kept;
   inputs.push_back(request.Corrections.Input());
-  for (const RequestedFile& file : OutputsOf(request))
-  {
-    if (!file.Name.empty())
-    {
-      announce(file.Option, file.Name, inputs);
-    }
-  }
-  if (!request.Corrections.Output().empty())
-  {
-    announce("--save-points", request.Corrections.Output(), kept);
-  }
+  AnnounceFiles(OutputsOf(request), inputs, announce);
+  AnnounceFiles({ { "--save-points", request.Corrections.Output(), {} } }, kept, announce);
 }
 
 OriginNames NamesOf(const TraceRequest& request)
@@ -90,14 +81,8 @@ OriginNames NamesOf(const TraceRequest& request)
   OriginNames names;
   names.Image = request.Input;
   names.Series = request.SeriesUID;
-  for (const std::string* file :
-    { &request.Surface, &request.Labels, &request.Centerline, &request.SessionOut })
-  {
-    if (names.Organs.empty() && !file->empty())
-    {
-      names.Organs = { OrganOfFile(*file) };
-    }
-  }
+  names.Organs = { OrganOfFiles(
+    { request.Surface, request.Labels, request.Centerline, request.SessionOut }) };
   return names;
 }
 

@@ -8,6 +8,7 @@
 #include "FileFormats.h"
 #include "SegmentPlan.h"
 #include "Summary.h"
+#include "TableText.h"
 #include "Warning.h"
 
 #include "Vessel/VesselParameters.h"
@@ -17,6 +18,7 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/variant.h>
 
 #include <algorithm>
 #include <map>
@@ -464,9 +466,10 @@ void BindCommand(nb::module_& module)
     { return RowsOf(ReadPoints(name, whatTakesPlaces)); });
   module.def("read_places", &ReadPlaces);
   module.def("points_text", &TextOfRows);
+  module.def("table_text", &TextOfTable);
   module.def("named_provenance", &NamedProvenance);
   module.def("session_text", &SessionText);
-  module.def("organ_of_file", &OrganOfFile);
+  module.def("organ_of_file", [](const std::string& file) { return OrganOfFiles({ file }); });
 }
 
 } // namespace FlipFree

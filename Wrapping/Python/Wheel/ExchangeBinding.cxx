@@ -6,9 +6,11 @@
 #include "Exchange/LabelNameTable.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/PolygonFile.h"
+#include "Exchange/SurfaceBytes.h"
 #include "Exchange/TableText.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
+#include "Exchange/VtpBytes.h"
 #include "Exchange/VtpHeader.h"
 
 #include <nanobind/stl/array.h>
@@ -118,6 +120,79 @@ nb::tuple PolygonsIn(const std::string& name, const nb::bytes& bytes)
     ArrayOf<int>(std::move(offsets), { offsetCount }));
 }
 
+using Triangles =
+  nb::ndarray<nb::numpy, const int, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using Column = nb::ndarray<nb::numpy, nb::ro, nb::c_contig, nb::device::cpu>;
+
+Eigen::Map<const PointList> PointsOf(const Rows3& points)
+{
+  return { points.data(), static_cast<Eigen::Index>(points.shape(0)), 3 };
+}
+
+Eigen::Map<const TriangleList> TrianglesOf(const Triangles& triangles)
+{
+  return { triangles.data(), static_cast<Eigen::Index>(triangles.shape(0)), 3 };
+}
+
+FaceList FacesOf(const Indices& corners, const Indices& offsets)
+{
+  return { { offsets.data(), offsets.data() + offsets.size() },
+    { corners.data(), corners.data() + corners.size() } };
+}
+
+nb::bytes BytesOf(const std::string& bytes)
+{
+  return nb::bytes(bytes.data(), bytes.size());
+}
+
+VtpArray VtpArrayOf(const std::string& name, const Column& column)
+{
+  const nb::dlpack::dtype type = column.dtype();
+  const void* const data = column.data();
+  if (type == nb::dtype<float>())
+  {
+    return VtpNumbers(name, static_cast<const float*>(data), column.size());
+  }
+  if (type == nb::dtype<int>())
+  {
+    return VtpNumbers(name, static_cast<const int*>(data), column.size());
+  }
+  if (type == nb::dtype<unsigned char>())
+  {
+    return VtpNumbers(name, static_cast<const unsigned char*>(data), column.size());
+  }
+  if (type != nb::dtype<double>())
+  {
+    throw std::invalid_argument("numbers of a type that no array of a surface has");
+  }
+  return VtpNumbers(name, static_cast<const double*>(data), column.size(),
+    column.ndim() == 2 ? static_cast<int>(column.shape(1)) : 1);
+}
+
+// By name: numbers, arrays of them, or texts.
+std::vector<VtpArray> VtpArraysOf(const nb::dict& columns)
+{
+  std::vector<VtpArray> arrays;
+  for (const auto [key, value] : columns)
+  {
+    const auto name = nb::cast<std::string>(key);
+    if (nb::isinstance<nb::str>(value))
+    {
+      arrays.push_back(VtpText(name, nb::cast<std::string>(value)));
+    }
+    else if (nb::isinstance<nb::float_>(value))
+    {
+      const auto number = nb::cast<double>(value);
+      arrays.push_back(VtpNumbers(name, &number, 1));
+    }
+    else
+    {
+      arrays.push_back(VtpArrayOf(name, nb::cast<Column>(value)));
+    }
+  }
+  return arrays;
+}
+
 } // namespace
 
 void BindExchange(nb::module_& module)
@@ -127,6 +202,26 @@ void BindExchange(nb::module_& module)
   module.def("read_polygons", &PolygonsIn);
   module.def("validate_vtp",
     [](const std::string& name, const nb::bytes& bytes) { ValidateVtp(name, TextOf(bytes)); });
+  module.def("stl_bytes",
+    [](const Rows3& points, const Triangles& triangles, const std::vector<std::string>& comments)
+    { return BytesOf(StlBytes(PointsOf(points), TrianglesOf(triangles), comments)); });
+  module.def("ply_bytes",
+    [](const Rows3& points, const Triangles& triangles, const std::vector<std::string>& comments)
+    { return BytesOf(PlyBytes(PointsOf(points), TrianglesOf(triangles), comments)); });
+  module.def("obj_bytes",
+    [](const Rows3& points, const Indices& corners, const Indices& offsets,
+      const std::vector<std::string>& comments)
+    { return BytesOf(ObjBytes(PointsOf(points), FacesOf(corners, offsets), comments)); });
+  module.def(
+    "vtp_bytes",
+    [](const Rows3& points, const Indices& corners, const Indices& offsets, const nb::dict& fields,
+      const nb::dict& pointData, const nb::dict& cellData, bool areLines)
+    {
+      return BytesOf(VtpBytes(PointsOf(points), FacesOf(corners, offsets),
+        { VtpArraysOf(fields), VtpArraysOf(pointData), VtpArraysOf(cellData), areLines }));
+    },
+    nb::arg("points"), nb::arg("corners"), nb::arg("offsets"), nb::arg("fields"),
+    nb::arg("point_data"), nb::arg("cell_data") = nb::dict(), nb::arg("are_lines") = false);
   module.def("read_label_names", &ReadLabelNameTable);
   module.def("file_name_part", &FileNamePart);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -49,12 +47,9 @@ def write_text(path: PathName, text: str) -> None:
 
 
 def write_table(path: PathName, columns: list[str], rows: list[list[Any]]) -> None:
-    """Writes a table as CSV."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(rows)
-    write_text(path, text.getvalue())
+    """Writes a table as CSV; None leaves a cell empty."""
+    cells = [["" if cell is None else cell for cell in row] for row in rows]
+    write_text(path, _kernels.table_text(columns, cells))
 
 
 def make_folder(path: str) -> None:

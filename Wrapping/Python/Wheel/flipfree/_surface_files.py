@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import base64
 import os
-import struct
 from typing import Any
 
 from . import _kernels
@@ -35,10 +33,9 @@ def write_surface(surface: Surface | Segmentation, path: PathName) -> None:
     ending = ending_of(name)
     if ending != ".vtp":
         _require_single_precision(mesh, name)
-    writers = {".vtp": _vtp, ".stl": _stl, ".ply": _ply, ".obj": _obj}
     with replacing(name) as temporary:
         with open(temporary, "wb") as file:
-            file.write(writers[ending](mesh))
+            file.write(_bytes_of(mesh, ending))
 
 
 def write_centerline(vessel: Vessel, path: PathName) -> None:
@@ -132,47 +129,29 @@ def _require_single_precision(mesh: Surface, name: str) -> None:
         )
 
 
+def _bytes_of(mesh: Surface, ending: str) -> bytes:
+    comments = _kernels.comments_on(mesh.provenance)
+    written: bytes
+    if ending == ".vtp":
+        written = _vtp(mesh)
+    elif ending == ".obj":
+        written = _kernels.obj_bytes(mesh.points, mesh.corners, mesh.offsets, comments)
+    else:
+        write = {".stl": _kernels.stl_bytes, ".ply": _kernels.ply_bytes}[ending]
+        written = write(mesh.points, mesh.triangles, comments)
+    return written
+
+
 def _vtp(mesh: Surface) -> bytes:
-    import numpy
-
-    corners, ends = mesh.corners.astype("int64"), mesh.offsets[1:].astype("int64")
-    numbers = [_number("Certified", float(mesh.certified))]
-    confidence = ""
+    fields: dict[str, Any] = {"Certified": float(mesh.certified)}
+    arrays = {"Displacement": mesh.displacements, "Correspondence": mesh.correspondence}
     if mesh.vertex_confidence is not None:
-        numbers.append(_number("Confidence", mesh.confidence))
-        confidence = _array("Confidence", mesh.vertex_confidence, "Float32")
+        fields["Confidence"] = float(mesh.confidence)
+        arrays["Confidence"] = mesh.vertex_confidence
     if mesh.provenance:
-        numbers.append(_text("Provenance", mesh.provenance))
-    return _vtp_file(
-        f"<FieldData>{''.join(numbers)}</FieldData>\n"
-        f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfPolys="{len(ends)}">\n'
-        f"<PointData>\n{_array('Displacement', mesh.displacements, 'Float64', 3)}"
-        f"{_array('Correspondence', mesh.correspondence, 'UInt8')}{confidence}</PointData>\n"
-        f"<Points>\n{_array('Points', mesh.points, 'Float64', 3)}</Points>\n"
-        f"<Polys>\n{_array('connectivity', corners, 'Int64')}{_array('offsets', ends, 'Int64')}"
-        "</Polys>\n</Piece>\n"
-    )
-
-
-def _number(name: str, value: float) -> str:
-    import numpy
-
-    return (
-        f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="binary">'
-        f"{_encoded(numpy.array([value]))}</DataArray>"
-    )
-
-
-def _text(name: str, text: str) -> str:
-    """As numbers of its bytes, and 0 at its end."""
-    codes = " ".join(str(code) for code in (*text.encode(), 0))
-    return f'<Array type="String" Name="{name}" NumberOfTuples="1" format="ascii">{codes}</Array>'
-
-
-def _comments(mesh: Surface) -> list[str]:
-    """What files say of the surface before it."""
-    comments: list[str] = _kernels.comments_on(mesh.provenance)
-    return comments
+        fields["Provenance"] = mesh.provenance
+    written: bytes = _kernels.vtp_bytes(mesh.points, mesh.corners, mesh.offsets, fields, arrays)
+    return written
 
 
 def _vtp_lines(vessel: Vessel) -> bytes:
@@ -182,77 +161,15 @@ def _vtp_lines(vessel: Vessel) -> bytes:
         numpy.concatenate([branch[name] for branch in vessel.branches])
         for name in ("points", "radius", "length")
     )
-    ends = numpy.cumsum([len(branch["points"]) for branch in vessel.branches]).astype("int64")
-    parents = numpy.array([branch["parent"] for branch in vessel.branches], "int32")
-    corners = numpy.arange(len(points), dtype="int64")
-    return _vtp_file(
-        f'<Piece NumberOfPoints="{len(points)}" NumberOfLines="{len(ends)}">\n'
-        f"<PointData>\n{_array('Radius', radii, 'Float64')}{_array('ArcLength', lengths, 'Float64')}"
-        f"</PointData>\n<CellData>\n{_array('Parent', parents, 'Int32')}</CellData>\n"
-        f"<Points>\n{_array('Points', points, 'Float64', 3)}</Points>\n"
-        f"<Lines>\n{_array('connectivity', corners, 'Int64')}{_array('offsets', ends, 'Int64')}"
-        "</Lines>\n</Piece>\n"
+    ends = numpy.cumsum([0, *(len(branch["points"]) for branch in vessel.branches)])
+    parents = numpy.array([branch["parent"] for branch in vessel.branches], numpy.int32)
+    written: bytes = _kernels.vtp_bytes(
+        points,
+        numpy.arange(len(points), dtype=numpy.int32),
+        ends.astype(numpy.int32),
+        fields={},
+        point_data={"Radius": radii, "ArcLength": lengths},
+        cell_data={"Parent": parents},
+        are_lines=True,
     )
-
-
-def _vtp_file(content: str) -> bytes:
-    text = (
-        '<?xml version="1.0"?>\n'
-        '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">\n'
-        f"<PolyData>\n{content}</PolyData>\n</VTKFile>\n"
-    )
-    return text.encode()
-
-
-def _array(name: str, values: Any, kind: str, width: int = 1) -> str:
-    return (
-        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{width}" '
-        f'format="binary">{_encoded(values)}</DataArray>\n'
-    )
-
-
-def _encoded(values: Any) -> str:
-    import numpy
-
-    data = numpy.ascontiguousarray(values).astype(f"<{values.dtype.kind}{values.dtype.itemsize}")
-    return base64.b64encode(struct.pack("<Q", data.nbytes) + data.tobytes()).decode()
-
-
-def _stl(mesh: Surface) -> bytes:
-    import numpy
-
-    corners = mesh.points[mesh.triangles]
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    lengths = numpy.linalg.norm(normals, axis=1, keepdims=True)
-    facets = numpy.zeros(len(corners), [("vectors", "<f4", (4, 3)), ("attribute", "<u2")])
-    facets["vectors"][:, 0] = normals / numpy.where(lengths > 0, lengths, 1)
-    facets["vectors"][:, 1:] = corners
-    header = _comments(mesh)[0].encode().ljust(80)
-    return header + struct.pack("<I", len(facets)) + facets.tobytes()
-
-
-def _ply(mesh: Surface) -> bytes:
-    import numpy
-
-    header = (
-        "ply\nformat binary_little_endian 1.0\n"
-        + "".join(f"comment {line}\n" for line in _comments(mesh))
-        + f"element vertex {len(mesh.points)}\nproperty float x\nproperty float y\nproperty float z\n"
-        f"element face {len(mesh.triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
-    )
-    faces = numpy.zeros(len(mesh.triangles), [("size", "u1"), ("corners", "<i4", 3)])
-    faces["size"] = 3
-    faces["corners"] = mesh.triangles
-    return header.encode() + mesh.points.astype("<f4").tobytes() + faces.tobytes()
-
-
-def _obj(mesh: Surface) -> bytes:
-    lines = [f"# {line}" for line in _comments(mesh)]
-    lines += [f"v {x:.9g} {y:.9g} {z:.9g}" for x, y, z in mesh.points.tolist()]
-    lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in _faces(mesh)]
-    return ("\n".join(lines) + "\n").encode()
-
-
-def _faces(mesh: Surface) -> list[list[int]]:
-    corners, offsets = mesh.corners.tolist(), mesh.offsets.tolist()
-    return [corners[start:end] for start, end in zip(offsets, offsets[1:])]
+    return written
