@@ -14,6 +14,8 @@ from ._result import GIVEN, Result, VesselMeasures
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from ._surfaces import LabelSurfaces
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Faces):
@@ -51,6 +53,21 @@ class Surface(Faces):
 
     def __repr__(self) -> str:
         return f"<Surface: {len(self.points)} vertices, {len(self.offsets) - 1} faces>"
+
+
+def surface_of_label(found: LabelSurfaces, label: int) -> Surface:
+    """The surface of one label, of several that have been made together."""
+    import numpy
+
+    points, triangles = found.surface(label)
+    return Surface(
+        points=points,
+        corners=triangles.ravel(),
+        offsets=numpy.arange(0, triangles.size + 1, 3, dtype=numpy.int32),
+        displacements=numpy.zeros(points.shape),
+        correspondence=numpy.zeros(len(points), numpy.uint8),
+        certified=True,
+    )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
