@@ -410,7 +410,8 @@ def _asking(found, questions):
 class Guide(unittest.TestCase):
     def test_lines(self):
         """They print what the page says."""
-        page = (Path(os.environ["FLIPFREE_PYTHON_SOURCE"]).parents[1] / "Examples" / "Guide" / "slicer.md").read_text(encoding="utf-8")
+        source = Path(os.environ["FLIPFREE_PYTHON_SOURCE"]).parents[1]
+        page = (source / "Examples" / "Guide" / "slicer.md").read_text(encoding="utf-8")
         [(program, printed)] = re.findall(r"(?s)```python\n(.*?)```\n\nIt prints:\n\n```\n(.*?)```", page)
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True, check=True)
