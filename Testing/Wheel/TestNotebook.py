@@ -65,7 +65,8 @@ class Notebook(unittest.TestCase):
 class Guide(unittest.TestCase):
     def test_pyvista(self):
         text = (SOURCE / "Examples" / "Guide" / "python.md").read_text(encoding="utf-8")
-        [program] = re.findall(r"(?s)```python\n(.*?)```", text.partition("\n## PyVista\n")[2])
+        program = "\n".join(re.findall(r"(?s)```python\n(.*?)```", text.partition("\n## PyVista\n")[2].partition("\n## ")[0]))
+        program = program.replace("Plotter(shape=(2, 2))", "Plotter(shape=(2, 2), off_screen=True)")
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                      timeout=300, check=False)
