@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from ._surfaces import LabelSurfaces
 
 
+# Width and height of a result's picture in a notebook.
+NOTEBOOK_PIXELS = 600
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Faces):
     """A closed surface of polygons. Coordinates are the image's physical millimeters."""
@@ -81,6 +85,8 @@ class Segmentation(Result):
     iterations: dict[str, npt.NDArray[Any]] = GIVEN
     """The columns of the convergence table: Iteration, MeanDistance and so on."""
 
+    _image: Any = field(default=None, compare=False)
+
     @property
     def points(self) -> npt.NDArray[Any]:
         """The vertices as rows (x, y, z)."""
@@ -123,6 +129,19 @@ class Segmentation(Result):
 
     def cells(self) -> tuple[Any, Any]:
         return self.mesh.cells()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**super().__getstate__(), "_image": None}  # it would be copied with every result
+
+    def _repr_png_(self) -> bytes | None:
+        """How a notebook shows it: three slices with the contour, of a copy those of the label map, and the surface."""
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            return None  # then it is shown as text
+        from ._picture import png_of
+
+        return png_of(self.label_map if self._image is None else self._image, self, NOTEBOOK_PIXELS)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
