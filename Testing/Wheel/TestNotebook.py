@@ -6,7 +6,9 @@ guide's lines for PyVista.
 With --renew, what the cells print and draw is written into the notebook; look at it afterward.
 """
 
+import io
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -14,11 +16,15 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import flipfree
+
 try:
     import distributed  # pylint: disable=unused-import
     import ipykernel  # pylint: disable=unused-import
     import nbclient
     import nbformat
+    import numpy
+    import PIL.Image
     import pyvista  # pylint: disable=unused-import
     import SimpleITK  # pylint: disable=unused-import
 except ImportError as error:
@@ -52,20 +58,47 @@ class Notebook(unittest.TestCase):
         outputs = [output for cell in executed().cells for output in cell.get("outputs", [])]
         text = "".join(output.get("text", "") for output in outputs)
         self.assertEqual([output for output in outputs if output.get("name") == "stderr"], [])
-        self.assertRegex(text, r"<Segmentation: 6144 vertices, 0 self-intersections, 'converged' after \d+ iterations>")
+        shown = "".join(output.get("data", {}).get("text/plain", "") for output in outputs)
+        self.assertRegex(shown, r"<Segmentation: 6144 vertices, 0 self-intersections, 'converged' after \d+ iterations>")
         self.assertRegex(text, r"Dice 0\.9\d\d, mean distance \d\.\d\d mm")
         self.assertRegex(text, r"spleen +done, Dice 0\.9.*\n *left_kidney +done, Dice 0\.9")
         data = [output.get("data", {}) for output in outputs]
         pictures = [kinds.get("image/png") or kinds["image/jpeg"] for kinds in data
                     if "image/png" in kinds or "image/jpeg" in kinds]
-        self.assertEqual(len(pictures), 3)
+        self.assertEqual(len(pictures), 4)
         self.assertTrue(all(len(picture) > 10000 for picture in pictures))
+
+
+class Display(unittest.TestCase):
+    """What a notebook shows of a result."""
+
+    def test_picture(self):
+        phantom = flipfree.phantom("sphere", dimensions=(40, 40, 40))
+        ball = flipfree.segment(phantom.image, *phantom.seeds[1], resolution=8)
+        for result, least in ((ball, 60), (pickle.loads(pickle.dumps(ball)), 2)):
+            picture = PIL.Image.open(io.BytesIO(result._repr_png_()))
+            self.assertEqual(picture.size, (600, 600))
+            pixels = numpy.asarray(picture.convert("RGB")).astype(int).reshape(-1, 3)
+            contour = numpy.abs(pixels - (255, 194, 51)).max(axis=1) < 20
+            body = (pixels[:, 0] > 1.5 * pixels[:, 2]) & (pixels[:, 0] > 80) & ~contour
+            grays = numpy.unique(pixels[(pixels == pixels[:, :1]).all(axis=1)][:, 0])  # of the volume, or of two labels
+            self.assertGreater(contour.sum(), 1000)
+            self.assertGreater(body.sum(), 5000)
+            self.assertGreater(len(grays), least)
+        self.assertLess(len(pickle.dumps(ball)), 3 * ball.labels.nbytes)
+
+    def test_without_matplotlib(self):
+        program = ("import sys; sys.modules['matplotlib'] = None; import flipfree; p = flipfree.phantom('sphere'); "
+                   "print(flipfree.segment(p.image, *p.seeds[1], resolution=8)._repr_png_())")
+        output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(output, "None\n")
 
 
 class Guide(unittest.TestCase):
     def test_pyvista(self):
         text = (SOURCE / "Examples" / "Guide" / "python.md").read_text(encoding="utf-8")
-        [program] = re.findall(r"(?s)```python\n(.*?)```", text.partition("\n## PyVista\n")[2])
+        program = "\n".join(re.findall(r"(?s)```python\n(.*?)```", text.partition("\n## PyVista\n")[2].partition("\n## ")[0]))
+        program = program.replace("Plotter(shape=(2, 2))", "Plotter(shape=(2, 2), off_screen=True)")
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                      timeout=300, check=False)

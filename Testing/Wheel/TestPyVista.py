@@ -17,7 +17,7 @@ try:
     from flipfree import pyvista as flipfree_pyvista
     from flipfree import vtk as flipfree_vtk
     from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-    from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline, vtkTrivialProducer
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 except ImportError as error:
     print(f"Skipped: {error}.")
@@ -169,6 +169,26 @@ class Pipeline(unittest.TestCase):
         self.filter.Update()
         self.assertEqual(len(started), 2)
         self.assertEqual(self.filter.GetMaximumIterations(), 2)
+
+    def test_iterations_are_time_steps(self):
+        self.filter.SetLevels(1)
+        self.filter.SetMaximumIterations(3)
+        self.filter.SetCarving(False)
+        self.filter.Update()
+        result = pyvista.wrap(self.filter.GetSurface()).points.copy()
+        self.filter.SetKeepHistory(True)
+        self.filter.Update()
+        key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+        information = self.filter.GetOutputInformation(0)
+        self.assertEqual([information.Get(key, step) for step in range(information.Length(key))], [1, 2, 3])
+        organ = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1, maximum_iterations=3, carving=False,
+                                 keep_history=True)
+        for time, points in ((1, organ.history[0].points), (2, organ.history[1].points), (3, result)):
+            self.filter.UpdateTimeStep(time)
+            numpy.testing.assert_array_equal(pyvista.wrap(self.filter.GetSurface()).points, points)
+        self.filter.SetMaximumIterations(2)
+        self.filter.UpdateTimeStep(2)
+        self.assertEqual(information.Length(key), 2)
 
     def test_start_surface(self):
         self.filter.SetStartData(coarse_liver().surface)

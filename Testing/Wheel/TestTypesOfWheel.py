@@ -53,7 +53,7 @@ BAD = {
 # Each version of these packages says something else of its types, and to read them takes longer than all the rest.
 CONFIGURATION = """
 [mypy]
-[mypy-dask.*,matplotlib.*,PIL.*,pyvista.*,vtkmodules.*]
+[mypy-dask.*,matplotlib.*,PIL.*,pyvista.*,slicer.*,vtkmodules.*]
 follow_imports = skip
 follow_imports_for_stubs = True
 """

@@ -6,7 +6,7 @@
 #   install-wheel-tools.sh [--extras] [FOLDER [PYTHON]]
 #   FOLDER/bin/pip install --no-build-isolation .
 #
-#   --extras  also what the extras of the package need (files, PyVista, cohorts) and what their tests need
+#   --extras  also what the extras of the package need (files, PyVista, 3D Slicer, cohorts) and what their tests need
 #   FOLDER  of the virtual environment; by default build/wheel-env
 #   PYTHON  the interpreter; by default python3
 #
@@ -23,8 +23,8 @@ packages=(nanobind numpy scikit-build-core)
 modules="nanobind numpy scikit_build_core"
 if [[ ${1:-} == --extras ]]; then
   shift
-  packages+=(SimpleITK nibabel matplotlib vtk pyvista distributed pyarrow nbclient ipykernel mypy pynrrd)
-  modules+=" SimpleITK nibabel matplotlib vtkmodules pyvista distributed pyarrow nbclient ipykernel mypy nrrd"
+  packages+=(SimpleITK nibabel matplotlib vtk pyvista distributed pyarrow nbclient ipykernel mypy pynrrd slicer-core)
+  modules+=" SimpleITK nibabel matplotlib vtkmodules pyvista distributed pyarrow nbclient ipykernel mypy nrrd slicer_core"
 fi
 folder=${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/wheel-env}
 python=${2:-python3}

@@ -11,6 +11,8 @@ from ._arrays import image_from_array
 from ._coordinates import swap_lps_ras
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
+
     from ._images import Image
 
 
@@ -94,13 +96,23 @@ def _from_nibabel(name: str, image: Any) -> Image:
             f"{' without an affine' if image.affine is None else ''}; a volume with an affine is "
             "needed (nibabel.four_to_three takes a series apart)"
         )
+    return image_from_affine(name, voxels.T, _millimeters(image) * numpy.asarray(image.affine))
+
+
+def image_from_affine(name: str, voxels: npt.NDArray[Any], affine: npt.NDArray[Any]) -> Image:
+    """The voxels array[k, j, i], whose indices (i, j, k) the 4 x 4 matrix takes to RAS millimeters.
+
+    The axes may be oblique. `name` is the argument's, for the error that the matrix has no inverse.
+    """
+    import numpy
+
     # Without negative zeros.
-    matrix: Any = _millimeters(image) * numpy.array(swap_lps_ras(numpy.asarray(image.affine))) + 0.0
+    matrix: Any = numpy.array(swap_lps_ras(affine)) + 0.0
     axes, origin = matrix[:, :3], matrix[:, 3]
     spacing = numpy.sqrt((axes**2).sum(axis=0))
     if not numpy.isfinite(matrix).all() or not abs(numpy.linalg.det(axes)) > 1e-9 * spacing.prod():
-        raise ValueError(f"{name}: its affine cannot be inverted; correct it:\n{image.affine}")
-    return image_from_array(voxels.T, spacing, origin, axes / spacing)
+        raise ValueError(f"{name}: its affine cannot be inverted; correct it:\n{affine}")
+    return image_from_array(voxels, spacing, origin, axes / spacing)
 
 
 def _millimeters(image: Any) -> float:

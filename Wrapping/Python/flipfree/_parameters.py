@@ -47,14 +47,20 @@ class Parameter:
                 f"{self.name}: {value!r} is out of range; give {self._range(algorithm)}"
             )
 
-    def _range(self, algorithm: Any) -> str:
-        """In words, by what is taken in place of numbers that no range has."""
+    def limits(self, algorithm: Any) -> tuple[float, float | None]:
+        """The least and, if there is one, the greatest value, by what is taken in place of numbers that
+        no range has; for a number, whose value is lost."""
         most = 2**31 - 1 if self.type is int else sys.float_info.max
         self.assign(algorithm, -most)
         least = self.get(algorithm)
         self.assign(algorithm, most)
         greatest = self.get(algorithm)
-        return f"{least:g} or more" if greatest == most else f"{least:g} to {greatest:g}"
+        return least, None if greatest == most else greatest
+
+    def _range(self, algorithm: Any) -> str:
+        """In words."""
+        least, greatest = self.limits(algorithm)
+        return f"{least:g} or more" if greatest is None else f"{least:g} to {greatest:g}"
 
 
 # What messages call the arguments of segment() that are no parameters.

@@ -343,6 +343,7 @@ def _found(answer: Mapping[str, Any], image: Image, certified: bool) -> dict[str
         "boundary_found": answer["boundary_found"],
         "self_intersections": answer["self_intersections"],
         "stage_seconds": tuple(answer["stage_seconds"]),
+        "_image": image,
     }
 
 

@@ -14,7 +14,7 @@ from ._command import say
 from ._command_outputs import wants_bar, write_to
 from ._errors import FileError
 from ._image_files import read_labels
-from ._segmentation import Surface
+from ._segmentation import surface_of_label
 from ._surface_files import write_surface
 from ._surfaces import LabelSurfaces
 from ._surfaces import surfaces as make_surfaces
@@ -65,7 +65,7 @@ def _written(request: Any) -> LabelSurfaces:
                 continue
             path = os.path.join(request.folder, file)
             _kernels.require_place("--output", path, inputs)
-            surface = _surface_of(found, label)
+            surface = surface_of_label(found, label)
             write_to(written, path, lambda name, mesh=surface: write_surface(mesh, name))  # type: ignore[misc]
     rows = [
         [*(getattr(found.labels[label], field) for field in COLUMNS.values()), file]
@@ -73,20 +73,6 @@ def _written(request: Any) -> LabelSurfaces:
     ]
     write_table(table, [*COLUMNS, "File"], rows)
     return found
-
-
-def _surface_of(found: LabelSurfaces, label: int) -> Surface:
-    import numpy
-
-    points, triangles = found.surface(label)
-    return Surface(
-        points=points,
-        corners=triangles.ravel(),
-        offsets=numpy.arange(0, triangles.size + 1, 3, dtype=numpy.int32),
-        displacements=numpy.zeros(points.shape),
-        correspondence=numpy.zeros(len(points), numpy.uint8),
-        certified=True,
-    )
 
 
 def _file_of(found: LabelSurfaces, label: int, ending: str) -> str:

@@ -12,6 +12,7 @@ PACKAGES = {
     "io": "SimpleITK",
     "plot": "matplotlib",
     "pyvista": "pyvista",
+    "slicer": "slicer-core",
     "cohort": "SimpleITK matplotlib dask distributed pyarrow",
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -52,13 +53,26 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
     The contour is blue where the image does not support it.
     """
     require_matplotlib()
+    if not os.fspath(path).lower().endswith((".png", ".jpg")):
+        raise FlipFreeError(f"'{path}': pictures are .png or .jpg files")
+    with replacing(path) as temporary:
+        _drawn(image, organ, size).save(temporary, optimize=True)
+
+
+def png_of(image: Volume, organ: Segmentation, size: int) -> bytes:
+    """The same picture as the bytes of a .png file, with a palette, which makes it smaller."""
+    file = io.BytesIO()
+    _drawn(image, organ, size).quantize(256, dither=0).save(file, "png", optimize=True)
+    return file.getvalue()
+
+
+def _drawn(image: Volume, organ: Segmentation, size: int) -> Any:
+    """As an image of PIL."""
     import numpy
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from PIL import Image
 
-    if not os.fspath(path).lower().endswith((".png", ".jpg")):
-        raise FlipFreeError(f"'{path}': pictures are .png or .jpg files")
     figure = Figure(figsize=(size / 100, size / 100), dpi=100, facecolor=FRAME)
     canvas = FigureCanvasAgg(figure)
     region = Region(image, organ.points)
@@ -68,8 +82,7 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
     _draw_surface(body, organ, region)
     canvas.draw()
     pixels = numpy.asarray(canvas.buffer_rgba())[..., :3]
-    with replacing(path) as temporary:
-        Image.fromarray(numpy.ascontiguousarray(pixels)).save(temporary, optimize=True)
+    return Image.fromarray(numpy.ascontiguousarray(pixels))
 
 
 class Region:

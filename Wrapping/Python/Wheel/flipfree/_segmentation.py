@@ -14,6 +14,12 @@ from ._result import GIVEN, Result, VesselMeasures
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from ._surfaces import LabelSurfaces
+
+
+# Width and height of a result's picture in a notebook.
+NOTEBOOK_PIXELS = 600
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(Faces):
@@ -53,6 +59,21 @@ class Surface(Faces):
         return f"<Surface: {len(self.points)} vertices, {len(self.offsets) - 1} faces>"
 
 
+def surface_of_label(found: LabelSurfaces, label: int) -> Surface:
+    """The surface of one label, of several that have been made together."""
+    import numpy
+
+    points, triangles = found.surface(label)
+    return Surface(
+        points=points,
+        corners=triangles.ravel(),
+        offsets=numpy.arange(0, triangles.size + 1, 3, dtype=numpy.int32),
+        displacements=numpy.zeros(points.shape),
+        correspondence=numpy.zeros(len(points), numpy.uint8),
+        certified=True,
+    )
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Segmentation(Result):
     """An organ. Coordinates are the image's physical millimeters."""
@@ -63,6 +84,8 @@ class Segmentation(Result):
 
     iterations: dict[str, npt.NDArray[Any]] = GIVEN
     """The columns of the convergence table: Iteration, MeanDistance and so on."""
+
+    _image: Any = field(default=None, compare=False)
 
     @property
     def points(self) -> npt.NDArray[Any]:
@@ -106,6 +129,19 @@ class Segmentation(Result):
 
     def cells(self) -> tuple[Any, Any]:
         return self.mesh.cells()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**super().__getstate__(), "_image": None}  # it would be copied with every result
+
+    def _repr_png_(self) -> bytes | None:
+        """How a notebook shows it: three slices with the contour, of a copy those of the label map, and the surface."""
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            return None  # then it is shown as text
+        from ._picture import png_of
+
+        return png_of(self.label_map if self._image is None else self._image, self, NOTEBOOK_PIXELS)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -8,6 +8,8 @@ with the image as the first argument.
     ct = pyvista.ImageData(...)
     liver = ct.flipfree.segment(seed=(99.75, 83.75, 167), radius=28, labels_as="liver")
     ct.flipfree.plotter(liver).show()
+
+In every plotter, `plotter.flipfree.open(ct)` has seeds and corrections placed with the mouse.
 """
 
 from __future__ import annotations
@@ -25,10 +27,14 @@ except ModuleNotFoundError as error:
 from ._evaluate import Scores
 from ._evaluate import evaluate as evaluate_segmentation
 from ._foreign import adopted
+from ._files import read_image
 from ._image import Image
-from ._picture import CONTOUR, FRAME, INK, SLICE_POINTS, VIEWS, Region, sampled
+from ._picture import CONTOUR, FRAME, INK, VIEWS, Region
+from ._placing import Placing
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Surface
+from ._pyvista_views import add_contour, add_slice, look
+from ._types import PathName
 from ._vtk_objects import imagedata_of, polydata_of
 
 ORGAN = "#db6b54"
@@ -43,6 +49,14 @@ def polydata(surface: Segmentation | Surface) -> pyvista.PolyData:
 def imagedata(image: Image) -> pyvista.ImageData:
     """An image with its place in space, which shares the voxels of the other."""
     return pyvista.ImageData(imagedata_of(image))
+
+
+def read(path: PathName, series: str | None = None) -> pyvista.ImageData:
+    """A file or a folder of DICOM files, as flipfree.read_image reads it, with its place in space.
+
+    PyVista's own readers of NIfTI and DICOM leave out the direction.
+    """
+    return imagedata(read_image(path, series=series))
 
 
 def segment(
@@ -99,41 +113,16 @@ def plotter(
     for place, view in enumerate(VIEWS):
         scene.subplot(place // 2, place % 2)
         right, up = numpy.array(view.right, float), numpy.array(view.up, float)
-        _add_slice(scene, volume, region, right, up)
+        add_slice(scene, volume, region, right, up)
         normal = numpy.cross(right, up)
         for surface, color in zip(surfaces, colors):
-            contour = surface.slice(normal=normal, origin=region.center)
-            if contour.n_points:
-                contour.points = contour.points + normal * (1e-3 * region.side)  # before the slice
-                scene.add_mesh(contour, color=color, line_width=3, lighting=False)
+            add_contour(scene, surface, region, normal, color)
     scene.subplot(1, 1)
     scene.set_background(INK)
     for index, (surface, color) in enumerate(zip(surfaces, colors)):
         scene.add_mesh(surface, color=ORGAN if index == 0 else color, smooth_shading=True)
-    _look(scene, region, numpy.array([1.0, 0, 0]), numpy.array([0, 0, 1.0]), 0.75)
+    look(scene, region, numpy.array([1.0, 0, 0]), numpy.array([0, 0, 1.0]), 0.75)
     return scene
-
-
-def _add_slice(scene: pyvista.Plotter, volume: Image, region: Region, right: Any, up: Any) -> None:
-    import numpy
-
-    steps = (numpy.arange(SLICE_POINTS) / (SLICE_POINTS - 1) - 0.5) * region.side
-    points = region.plane(right, up, steps)
-    plane = pyvista.StructuredGrid(*(points[None, ..., axis] for axis in range(3)))
-    plane["gray"] = sampled(volume, points, region.window[0])[None].ravel(order="F")
-    scene.set_background(INK)
-    scene.add_mesh(plane, scalars="gray", cmap="gray", clim=region.window, lighting=False,
-                   show_scalar_bar=False)
-    _look(scene, region, right, up, 1.0)
-
-
-def _look(scene: pyvista.Plotter, region: Region, right: Any, up: Any, zoom: float) -> None:
-    import numpy
-
-    toward = numpy.cross(right, up)
-    scene.camera_position = [region.center + 3 * region.side * toward, region.center, up]
-    scene.enable_parallel_projection()
-    scene.camera.parallel_scale = zoom * region.side / 2
 
 
 class ImageAccessor:
@@ -166,3 +155,5 @@ class ImageAccessor:
 
 if hasattr(pyvista, "register_dataset_accessor"):
     pyvista.register_dataset_accessor("flipfree", pyvista.ImageData)(ImageAccessor)
+if hasattr(pyvista, "register_plotter_component"):
+    pyvista.register_plotter_component("flipfree")(Placing)

@@ -21,7 +21,7 @@ from ._extras import missing
 try:
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-    from vtkmodules.vtkCommonCore import vtkLogger
+    from vtkmodules.vtkCommonCore import vtkLogger, vtkTimeStamp
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkTable
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 except ModuleNotFoundError as error:
@@ -46,7 +46,8 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
     Port 0 takes the image (one number per point), port 1, if wanted, a start surface. Outputs: the
     surface (vtkPolyData), the label map (vtkImageData), the convergence and the questions
     (vtkTable). Every parameter of flipfree.segment is a property: search_distance is
-    SetSearchDistance and GetSearchDistance.
+    SetSearchDistance and GetSearchDistance. With KeepHistory, the iterations are time steps, and the
+    last one is the result.
     Update() raises flipfree.SegmentationError if there is no segmentation.
     """
 
@@ -56,6 +57,8 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self._radius = 10.0
         self._algorithm = SegmentationAlgorithm("default")
         self._error: Exception | None = None
+        self._organ: Segmentation | None = None
+        self._done = vtkTimeStamp()
         self._stop_reason = ""
         self._self_intersections = 0
 
@@ -129,6 +132,7 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
     def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
         """The label map has the image's grid."""
         del request
+        self._announce_times(inputs, outputs.GetInformationObject(0))
         image, labels = inputs[0].GetInformationObject(0), outputs.GetInformationObject(1)
         for key in (
             vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(),
@@ -148,19 +152,27 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         if image.Has(whole):
             extent = [image.Get(whole, index) for index in range(6)]
             image.Set(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT(), extent, 6)
+        if self._algorithm.settings.get("KeepHistory")[0]:
+            # Time is the number of the iteration here, and none of the image's.
+            image.Remove(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
         return 1
 
     def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
         del request
         data = vtkImageData.GetData(inputs[0], 0)
         try:
-            organ = self._run(data, vtkPolyData.GetData(inputs[1], 0))
+            if self._organ is None or not self._is_up_to_date(inputs):
+                self._organ = None
+                self._organ = self._run(data, vtkPolyData.GetData(inputs[1], 0))
+                self._done.Modified()
+            organ = self._organ
         except (Aborted, FlipFreeError, TypeError, ValueError) as error:
             if not isinstance(error, Aborted):
                 self._error = error
                 vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, __file__, 0, f"FlipFreeSegmentation: {error}")
             return 0
-        polydata_of(organ.mesh, vtkPolyData.GetData(outputs, 0))
+        self._show_surface(organ, outputs.GetInformationObject(0), vtkPolyData.GetData(outputs, 0))
+        self._announce_times(inputs, outputs.GetInformationObject(0))
         labels = vtkImageData.GetData(outputs, 1)
         imagedata_of(organ.label_map, labels)
         labels.SetOrigin(data.GetOrigin())
@@ -169,7 +181,39 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         rows = [question.row() for question in organ.questions]
         columns = numpy.array(rows, float).reshape(-1, len(COLUMNS)).T
         _fill(vtkTable.GetData(outputs, 3), dict(zip(COLUMNS, columns)))
+        if not organ.history:
+            self._organ = None
         return 1
+
+    def _is_up_to_date(self, inputs: Any) -> bool:
+        """Whether the organ that is kept is that of these parameters and inputs."""
+        given = (vtkDataObject.GetData(port, 0) for port in inputs)
+        newest = max(self.GetMTime(), *(0 if one is None else one.GetMTime() for one in given))
+        return self._organ is not None and self._done.GetMTime() > newest
+
+    def _announce_times(self, inputs: Any, surface: Any) -> None:
+        """The iterations, or how many there may be."""
+        if not self._algorithm.settings.get("KeepHistory")[0]:
+            return
+        steps, span = vtkStreamingDemandDrivenPipeline.TIME_STEPS(), vtkStreamingDemandDrivenPipeline.TIME_RANGE()
+        settings = self._algorithm.settings
+        rounds = 2 if settings.get("Carving")[0] else 1
+        last = max(1.0, rounds * settings.get("Levels")[0] * settings.get("MaximumIterations")[0])
+        surface.Remove(steps)
+        if self._organ is not None and self._is_up_to_date(inputs):
+            last = float(max(1, len(self._organ.history)))
+            surface.Set(steps, [float(time) for time in range(1, int(last) + 1)], int(last))
+        surface.Set(span, [1.0, last], 2)
+
+    @staticmethod
+    def _show_surface(organ: Segmentation, information: Any, surface: vtkPolyData) -> None:
+        """That of the iteration whose time is asked for."""
+        time, mesh = vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP(), organ.mesh
+        if organ.history and information.Has(time):
+            step = max(1, int(min(information.Get(time), len(organ.history))))
+            mesh = mesh if step == len(organ.history) else organ.history[step - 1]
+            surface.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), information.Get(time))
+        polydata_of(mesh, surface)
 
     def _run(self, data: vtkImageData, start: vtkPolyData | None) -> Segmentation:
         algorithm = self._algorithm
