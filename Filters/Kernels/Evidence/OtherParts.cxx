@@ -76,7 +76,7 @@ public:
     {
       return true; // nothing to compare with
     }
-    this->Steps = static_cast<double>(opinions.size() + CoarseMasses.size());
+    this->Steps = static_cast<double>(opinions.size() + 2 * CoarseMasses.size());
     for (const BitMask& opinion : opinions)
     {
       if (!this->AddParts(this->Organ.BlocksOf(opinion.Cropped(this->Box))))
@@ -84,9 +84,15 @@ public:
         return false;
       }
     }
-    for (const BitMask& grown : this->Grow())
+    for (const double mass : CoarseMasses)
     {
-      if (grown.HasGrid() && !this->AddParts(grown))
+      BitMask carved;
+      if (!this->Organ.Grow(mass, this->Proceed(), carved))
+      {
+        return false;
+      }
+      ++this->Done;
+      if (carved.HasGrid() && !this->AddParts(carved))
       {
         return false;
       }
@@ -131,22 +137,6 @@ private:
       other.Blocks.end(), std::back_inserter(both));
     const std::size_t either = one.Blocks.size() + other.Blocks.size() - both.size();
     return static_cast<double>(both.size()) >= SameOverlap * static_cast<double>(either);
-  }
-
-  // By each mass. Carving is mostly the work of one thread.
-  std::array<BitMask, CoarseMasses.size()> Grow() const
-  {
-    std::array<BitMask, CoarseMasses.size()> grown;
-    this->Parallel(0, static_cast<std::ptrdiff_t>(grown.size()),
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        for (std::ptrdiff_t number = first; number < last; ++number)
-        {
-          // The monitor belongs to one thread.
-          this->Organ.Grow(CoarseMasses[number], NeverStop, grown[number]);
-        }
-      });
-    return grown;
   }
 
   Monitor Proceed() const

@@ -25,7 +25,7 @@ constexpr double ThickestSlices = 10; // mm; a vein cannot be followed through t
 constexpr double NearestCenter[] = { 0.2, -0.4, -1.9 };
 constexpr double FarthestCenter[] = { 1.05, 0.65, 1.9 };
 
-constexpr double GridStep = 3; // mm, within slices
+constexpr double GridStep = 2; // mm, within slices
 constexpr double SliceStep = 5;
 constexpr double Slope = 1.2;                 // the steepest
 constexpr float CostOfShift = 0.008F;         // per mm2 from slice to slice
@@ -33,7 +33,7 @@ constexpr double VeinRadii[] = { 9, 11, 13 }; // mm
 constexpr double Wall = 1;
 constexpr double RimBegin = 2; // mm beyond the radius
 constexpr double RimEnd = 4;
-constexpr int Margin = 6; // of the grid, for the rim; steps
+constexpr int Margin = 9; // of the grid, for the rim; steps
 
 // HU. Darker and brighter gray values say no more; a difference says nothing, or all.
 constexpr float Darkest = -100;
