@@ -4,6 +4,7 @@
 #ifndef FlipFreeJsonText_h
 #define FlipFreeJsonText_h
 
+#include "MessageText.h"
 #include "ParameterTable.h"
 #include "TextWords.h"
 
@@ -17,27 +18,10 @@
 namespace FlipFree
 {
 
-/// Whatever the locale; of finite numbers.
+/// Of a finite one.
 inline std::string JsonOf(double number)
 {
-  constexpr int enough = 17;
-  std::string text;
-  for (int digits = 15; digits <= enough; ++digits)
-  {
-    std::ostringstream written;
-    written.imbue(std::locale::classic());
-    written.precision(digits);
-    written << number;
-    text = written.str();
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    double found = 0;
-    if (stream >> found && found == number)
-    {
-      break;
-    }
-  }
-  return text;
+  return ExactTextOf(number);
 }
 
 /// In UTF-8, in quotes.

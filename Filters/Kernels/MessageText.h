@@ -10,8 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -36,15 +35,23 @@ inline std::string TextOf(double number)
   return text.str();
 }
 
-/// With the fewest digits from 15 on that read back as the same.
+/// With the fewest digits from 15 on that read back as the same, whatever the locale.
 inline std::string ExactTextOf(double number)
 {
-  // Every double has 15 digits, and none needs more than 17.
-  char text[40];
-  for (int digits = 15; digits <= 17; ++digits)
+  // Every double has 15 digits, and none needs more.
+  constexpr int enough = 17;
+  std::string text;
+  for (int digits = 15; digits <= enough; ++digits)
   {
-    std::snprintf(text, sizeof(text), "%.*g", digits, number);
-    if (std::strtod(text, nullptr) == number)
+    std::ostringstream written;
+    written.imbue(std::locale::classic());
+    written.precision(digits);
+    written << number;
+    text = written.str();
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    double found = 0;
+    if (stream >> found && found == number)
     {
       break;
     }

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <locale>
+
 using namespace FlipFree;
 
 namespace
@@ -85,6 +87,22 @@ TEST(SurfaceBytes, ObjIsReadBackWithItsFaces)
   EXPECT_EQ(read.GetPoints(), CoordinatesOf(it.Points));
   EXPECT_EQ(read.GetCorners(), it.Faces.Connectivity);
   EXPECT_EQ(read.GetOffsets(), it.Faces.Offsets);
+}
+
+// As in German.
+struct Comma : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(SurfaceBytes, ObjHasPointsInNumbersWhateverTheLocale)
+{
+  const Pyramid it;
+  const std::string bytes = ObjBytes(it.Points, it.Faces, TwoComments);
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
+  const std::string withCommas = ObjBytes(it.Points, it.Faces, TwoComments);
+  std::locale::global(before);
+  EXPECT_EQ(withCommas, bytes);
 }
 
 TEST(SurfaceBytes, StlHasTrianglesWithTheirNormals)

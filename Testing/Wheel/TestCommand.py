@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 import flipfree
@@ -309,6 +310,12 @@ sys.exit(main(sys.argv[1:]))
             self.assertEqual(len(organ.points), 3 * len(mesh.triangles) // 2)
             process = run("segment", self.volume, "--organ", "other", x, y, z, 3, "--fixed", path, "-o", self.folder / "never.vtp")
             self.assertRegex(process.stderr, "the start sphere of 'other' meets the fixed surface 1")
+            corners = mesh.corners.copy()
+            corners[-1] = len(mesh.points)
+            path.unlink()
+            with self.assertRaisesRegex(ValueError, "surface"):
+                flipfree.write_surface(replace(mesh, corners=corners), path)
+            self.assertFalse(path.exists())
 
     def test_picture(self):
         try:

@@ -161,12 +161,11 @@ bool IsCertified(vtkPolyData* surface)
   return certified && certified->GetNumberOfTuples() == 1 && certified->GetTuple1(0) == 1;
 }
 
-/// Whether the format moves a point: single precision may, and decimal digits.
+/// Whether the format moves a point: single precision may.
 bool IsRounded(vtkPolyData* surface, const std::string& name)
 {
   const FlipFree::PointList points = FlipFree::CopyPoints(surface);
-  return HasEnding(name, { ".obj" }) ||
-    (HasEnding(name, { ".stl", ".ply" }) && points.cast<float>().cast<double>() != points);
+  return HasEnding(name, { ".stl", ".ply" }) && points.cast<float>().cast<double>() != points;
 }
 
 /// What was certified is not the file but the surface: the file's positions may be rounded.

@@ -8,7 +8,9 @@
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
 #include "Exchange/VtpBytes.h"
+#include "Error.h"
 #include "Mesh/ContourMesh.h"
+#include "MessageText.h"
 
 #include <emscripten/bind.h>
 
@@ -154,6 +156,11 @@ val SurfaceFile(const val& result, const std::string& format, const std::string&
           VtpBytes(surface.Points, surface.Faces, ContentOf(result, provenance)));
       }
       const auto comments = emscripten::vecFromJSArray<std::string>(result["comments"]);
+      if (format != "stl" && format != "ply")
+      {
+        throw Error(
+          "There is no surface file of the format " + Quoted(format) + ". Use vtp, stl or ply.");
+      }
       const auto bytes = format == "stl" ? &StlBytes : &PlyBytes;
       return AnswerOfBytes(bytes(surface.Points, Triangulate(surface.Faces), comments));
     });

@@ -12,6 +12,7 @@
 #include "Exchange/VoxelDecoding.h"
 #include "Exchange/VtpBytes.h"
 #include "Exchange/VtpHeader.h"
+#include "Mesh/SurfaceTopology.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
@@ -140,6 +141,11 @@ FaceList FacesOf(const Indices& corners, const Indices& offsets)
     { corners.data(), corners.data() + corners.size() } };
 }
 
+void RequireValid(const Rows3& points, const FaceList& faces)
+{
+  RequireValidFaces(PointsOf(points), faces, "the surface");
+}
+
 nb::bytes BytesOf(const std::string& bytes)
 {
   return nb::bytes(bytes.data(), bytes.size());
@@ -204,20 +210,35 @@ void BindExchange(nb::module_& module)
     [](const std::string& name, const nb::bytes& bytes) { ValidateVtp(name, TextOf(bytes)); });
   module.def("stl_bytes",
     [](const Rows3& points, const Triangles& triangles, const std::vector<std::string>& comments)
-    { return BytesOf(StlBytes(PointsOf(points), TrianglesOf(triangles), comments)); });
+    {
+      RequireValid(points, FlipFree::FacesOf(TrianglesOf(triangles)));
+      return BytesOf(StlBytes(PointsOf(points), TrianglesOf(triangles), comments));
+    });
   module.def("ply_bytes",
     [](const Rows3& points, const Triangles& triangles, const std::vector<std::string>& comments)
-    { return BytesOf(PlyBytes(PointsOf(points), TrianglesOf(triangles), comments)); });
+    {
+      RequireValid(points, FlipFree::FacesOf(TrianglesOf(triangles)));
+      return BytesOf(PlyBytes(PointsOf(points), TrianglesOf(triangles), comments));
+    });
   module.def("obj_bytes",
     [](const Rows3& points, const Indices& corners, const Indices& offsets,
       const std::vector<std::string>& comments)
-    { return BytesOf(ObjBytes(PointsOf(points), FacesOf(corners, offsets), comments)); });
+    {
+      const FaceList faces = FacesOf(corners, offsets);
+      RequireValid(points, faces);
+      return BytesOf(ObjBytes(PointsOf(points), faces, comments));
+    });
   module.def(
     "vtp_bytes",
     [](const Rows3& points, const Indices& corners, const Indices& offsets, const nb::dict& fields,
       const nb::dict& pointData, const nb::dict& cellData, bool areLines)
     {
-      return BytesOf(VtpBytes(PointsOf(points), FacesOf(corners, offsets),
+      const FaceList faces = FacesOf(corners, offsets);
+      if (!areLines)
+      {
+        RequireValid(points, faces);
+      }
+      return BytesOf(VtpBytes(PointsOf(points), faces,
         { VtpArraysOf(fields), VtpArraysOf(pointData), VtpArraysOf(cellData), areLines }));
     },
     nb::arg("points"), nb::arg("corners"), nb::arg("offsets"), nb::arg("fields"),

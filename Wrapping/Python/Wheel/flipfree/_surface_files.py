@@ -31,7 +31,7 @@ def write_surface(surface: Surface | Segmentation, path: PathName) -> None:
         raise TypeError(f"surface: a flipfree.Surface or Segmentation is needed, not {surface!r:.80}")
     name = os.fspath(path)
     ending = ending_of(name)
-    if ending != ".vtp":
+    if ending in (".stl", ".ply"):
         _require_single_precision(mesh, name)
     with replacing(name) as temporary:
         with open(temporary, "wb") as file:
