@@ -30,6 +30,7 @@ from ._errors import FileError, FlipFreeError
 from ._extras import missing
 from ._foreign import image_from_affine
 from ._image import Image
+from ._parameters import radius_of
 from ._point_files import arguments_of, read_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Surface, Vessel, surface_of_label
@@ -270,12 +271,16 @@ def _in_volume(volumeNode: Any, world: Sequence[float]) -> tuple[float, ...]:
     return tuple(swap_lps_ras(place))
 
 
+def _require_markups(name: str, node: Any) -> None:
+    if not hasattr(node, "GetNthControlPointPositionWorld"):
+        raise TypeError(f"{name}: a markups node is needed, not {node!r:.80}")
+
+
 def _controls_of(
     volumeNode: Any, name: str, markupsNode: Any
 ) -> list[tuple[str, tuple[float, ...]]]:
     """Labels and places of the control points that have been placed."""
-    if not hasattr(markupsNode, "GetNthControlPointPositionWorld"):
-        raise TypeError(f"{name}: a markups node is needed, not {markupsNode!r:.80}")
+    _require_markups(name, markupsNode)
     controls = []
     for index in range(markupsNode.GetNumberOfControlPoints()):
         if markupsNode.GetNthControlPointPositionStatus(index) == markupsNode.PositionDefined:
@@ -292,7 +297,8 @@ def _spheres_of(
     """Centers and radii, in the volume's own space."""
     import math
 
-    if seeds is not None and seeds.IsA("vtkMRMLMarkupsROINode"):
+    _require_markups("seeds", seeds)
+    if seeds.IsA("vtkMRMLMarkupsROINode"):
         rims, center, sizes = [], [0.0] * 3, [0.0] * 3
         seeds.GetCenterWorld(center)
         seeds.GetSizeWorld(sizes)
@@ -310,7 +316,8 @@ def _spheres_of(
         return [(middle, math.dist(middle, rim))]
     labels = [label for label, _ in controls]
     if radius is not None:
-        labels = [label if label.startswith("seed ") else f"seed {radius!r}" for label in labels]
+        size = radius_of("radius", radius)
+        labels = [label if label.startswith("seed ") else f"seed {size!r}" for label in labels]
     elif not all(label.startswith("seed ") for label in labels):
         raise TypeError(
             "radius: it is needed for seeds that are points, in mm; or label each 'seed 12', or place an ROI"
@@ -355,7 +362,7 @@ def _shown(
         parent = volumeNode.GetParentTransformNode()
         node.SetAndObserveTransformNodeID(parent.GetID() if parent else None)
     _save_state(node)
-    labels = _oriented(result.label_map, _matrix_of(volumeNode))
+    labels = _oriented(result.label_map, volumeNode)
     identifier: str = segmentation.GetSegmentIdBySegmentName(name)
     if identifier:
         slicer.vtkSlicerSegmentationsModuleLogic.SetBinaryLabelmapToSegment(labels, node, identifier)
@@ -368,10 +375,11 @@ def _shown(
     return node, identifier
 
 
-def _oriented(labels: Image, matrix: Any) -> Any:
+def _oriented(labels: Image, volumeNode: Any) -> Any:
+    """With the volume's indices, of which the first need not be 0."""
     image = slicer.vtkOrientedImageData()
-    image.SetDimensions(*labels.voxels.shape[::-1])
-    image.SetImageToWorldMatrix(matrix)
+    image.SetExtent(volumeNode.GetImageData().GetExtent())
+    image.SetImageToWorldMatrix(_matrix_of(volumeNode))
     image.GetPointData().SetScalars(numpy_to_vtk(labels.voxels.ravel(), deep=True))
     return image
 
