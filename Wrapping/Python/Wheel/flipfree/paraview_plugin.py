@@ -11,29 +11,70 @@ vessels, and the stages as filters.
 """
 
 import atexit
+import importlib.util
 import inspect
 import os
 import sys
 import weakref
-from typing import Any
+from typing import Any, NamedTuple
 from xml.sax.saxutils import escape, quoteattr
 
-# ParaView loads the file by itself: the package is in the folder above, behind all that ParaView brings along.
-_FOLDER = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-if not any(os.path.isdir(os.path.join(path, "flipfree")) for path in sys.path):
+_PACKAGE = os.path.dirname(os.path.realpath(__file__))
+_FOLDER = os.path.dirname(_PACKAGE)
+# For what the package needs, behind all that ParaView brings along.
+if _FOLDER not in sys.path:
     sys.path.append(_FOLDER)
 
-# ParaView 5.11 and 5.12 call it, and Python 3.11 has it no more.
-if not hasattr(inspect, "getargspec"):
-    inspect.getargspec = inspect.getfullargspec  # type: ignore[attr-defined]
+
+def _import_own_package() -> None:
+    """ParaView loads this file by itself: the package is the one around it, whatever is before it on sys.path."""
+    found = sys.modules.get("flipfree")
+    if found is None:
+        file = os.path.join(_PACKAGE, "__init__.py")
+        spec = importlib.util.spec_from_file_location("flipfree", file)
+        assert spec is not None and spec.loader is not None
+        sys.modules["flipfree"] = package = importlib.util.module_from_spec(spec)
+        try:
+            spec.loader.exec_module(package)
+        except BaseException:
+            del sys.modules["flipfree"]
+            raise
+        return
+    place = os.path.realpath(getattr(found, "__file__", None) or "an unknown place")
+    if os.path.dirname(place) != _PACKAGE:
+        raise ImportError(
+            f"another flipfree has been imported already, from '{os.path.dirname(place)}'; "
+            f"start ParaView again, and import only the one in '{_PACKAGE}'"
+        )
+
+
+class _ArgSpec(NamedTuple):
+    args: Any
+    varargs: Any
+    keywords: Any
+    defaults: Any
+
+
+_import_own_package()
+try:
+    import paraview.util.vtkAlgorithm  # pylint: disable=unused-import
+except ImportError as error:
+    if error.name != "inspect":
+        raise
+    # ParaView 5.11 and 5.12 import it, and Python 3.11 has it no more.
+    inspect.getargspec = (  # type: ignore[attr-defined]
+        lambda function: _ArgSpec(*inspect.getfullargspec(function)[:4])
+    )
 
 from paraview.util.vtkAlgorithm import smhint, smproperty, smproxy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 import flipfree
 from flipfree._backend import RADII, SEGMENT_PARAMETERS, SegmentationAlgorithm
+from flipfree._errors import FlipFreeError
 from flipfree._vtk_objects import imagedata_of
 from flipfree.vtk import FlipFreeSegmentation as Filter
 
@@ -180,11 +221,19 @@ class FlipFreeReaderPython(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return self._image
 
     def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
+        """Says once what is wrong with the file; RequestData is not reached then."""
         del request, inputs
-        image, information = self._read(), outputs.GetInformationObject(0)
+        try:
+            image = self._read()
+        except FlipFreeError as error:
+            vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, __file__, 0, f"FlipFreeReaderPython: {error}")
+            return 0
+        information, matrix = outputs.GetInformationObject(0), image.GetDirectionMatrix()
+        direction = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
         information.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), image.GetExtent(), 6)
-        information.Set(image.SPACING(), image.GetSpacing(), 3)
-        information.Set(image.ORIGIN(), image.GetOrigin(), 3)
+        information.Set(vtkDataObject.SPACING(), image.GetSpacing(), 3)
+        information.Set(vtkDataObject.ORIGIN(), image.GetOrigin(), 3)
+        information.Set(vtkDataObject.DIRECTION(), direction, 9)
         return 1
 
     def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
