@@ -63,6 +63,7 @@ class Plugin(session.SessionTest):
             reader.SetFileName(self.file(name))
             with unittest.mock.patch.object(flipfree.paraview_plugin, "vtkLogger") as logger:
                 self.assertEqual(reader.RequestInformation(None, None, None), 0)
+                self.assertEqual(reader.RequestData(None, None, None), 0)  # ParaView asks for it all the same
             [call] = logger.Log.call_args_list
             self.assertRegex(call.args[3], f"^FlipFreeReaderPython: '.*{name}'")
 

@@ -207,26 +207,30 @@ class FlipFreeReaderPython(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def __init__(self) -> None:
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
-        self._name = ""
+        self._name = self._told = ""
         self._image: Any = None
 
     def SetFileName(self, name: str) -> None:
         if name != self._name:
-            self._name, self._image = name, None
+            self._name, self._told, self._image = name, "", None
             self.Modified()
 
     def _read(self) -> Any:
+        """The image, or None; what is wrong with the file is told once, though ParaView asks again."""
         if self._image is None:
-            self._image = imagedata_of(flipfree.read_image(self._name))
+            try:
+                self._image = imagedata_of(flipfree.read_image(self._name))
+            except FlipFreeError as error:
+                if str(error) != self._told:
+                    self._told = str(error)
+                    message = f"FlipFreeReaderPython: {error}"
+                    vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, __file__, 0, message)
         return self._image
 
     def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
-        """Says once what is wrong with the file; RequestData is not reached then."""
         del request, inputs
-        try:
-            image = self._read()
-        except FlipFreeError as error:
-            vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, __file__, 0, f"FlipFreeReaderPython: {error}")
+        image = self._read()
+        if image is None:
             return 0
         information, matrix = outputs.GetInformationObject(0), image.GetDirectionMatrix()
         direction = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
@@ -238,5 +242,8 @@ class FlipFreeReaderPython(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
         del request, inputs
-        vtkImageData.GetData(outputs, 0).ShallowCopy(self._read())
+        image = self._read()
+        if image is None:
+            return 0
+        vtkImageData.GetData(outputs, 0).ShallowCopy(image)
         return 1

@@ -122,8 +122,8 @@ def trace(
 ) -> Found:
     """Segments a vessel between the control points of a markups node, such as a list or a curve.
 
-    The centerline becomes a model of the name with ` centerline`, new or there already. All else is as in
-    segment(); the other parameters are those of flipfree.trace.
+    The centerline becomes a model of the name with ` centerline`, new or there already, which undo() leaves
+    as it is. Nodes are as in segment(); the other parameters are those of flipfree.trace.
     """
     _require_same_transform(volumeNode, segmentationNode)
     places = [place for _, place in _controls_of(volumeNode, "points", points)]
