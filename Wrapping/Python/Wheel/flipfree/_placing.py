@@ -1,4 +1,4 @@
-"""Seeds and corrections placed with the mouse in a plotter of PyVista, with undo: `plotter.flipfree`."""
+"""Seeds and corrections placed with the mouse in PyVista, with undo: `plotter.flipfree`."""
 
 from __future__ import annotations
 
@@ -39,9 +39,10 @@ Step = tuple[str, tuple[float, ...]]
 class Placing:
     """`plotter.flipfree`: right clicks on the slices of a volume place a seed and corrections.
 
-    Key s: a click is the middle of the seed, and the next one its rim. Keys i, o and b: a click is a point
-    inside, outside or on the boundary, which the surface obeys at once. l: the slices go where one clicks.
-    u takes the last click back, a makes it again. y and n answer the question that is shown.
+    Key s: a click is the middle of the seed, and the next one its rim. Keys i, o and b: a click is
+    a point inside, outside or on the boundary, which the surface obeys at once. l: the slices go
+    where one clicks. u takes the last click back, a makes it again. y and n answer the question
+    that is shown.
     """
 
     def __init__(self, plotter: pyvista.Plotter) -> None:
@@ -67,14 +68,20 @@ class Placing:
     ) -> Placing:
         """Shows an image on three slices, and, if a seed is given, the organ around it.
 
-        The plotter needs 2 x 2 views; a seed needs a radius; parameters are those of flipfree.segment.
+        The plotter needs 2 x 2 views; a seed needs a radius; parameters are those of
+        flipfree.segment.
         """
         import numpy
 
         if self._plotter.shape != (2, 2):
-            raise ValueError("plotter: 2 x 2 views are needed, three slices and the surface: Plotter(shape=(2, 2))")
+            raise ValueError(
+                "plotter: 2 x 2 views are needed, three slices and the surface: "
+                "Plotter(shape=(2, 2))"
+            )
         if (seed is None) != (radius is None):
-            raise ValueError("seed, radius: give both, or neither and place the seed with the mouse")
+            raise ValueError(
+                "seed, radius: give both, or neither and place the seed with the mouse"
+            )
         volume = adopted("image", image)
         steps: list[Step] = []
         if seed is not None and radius is not None:
@@ -94,8 +101,12 @@ class Placing:
             interactor.add_observer("RightButtonPressEvent", self._press)
             interactor.add_observer("RightButtonReleaseEvent", self._release)
             self._listens = True
-        actions: dict[str, Any] = {key: partial(self._mean, meaning) for key, meaning in MEANINGS.items()}
-        actions.update(u=self.undo, a=self.redo, y=partial(self.answer, True), n=partial(self.answer, False))
+        actions: dict[str, Any] = {
+            key: partial(self._mean, meaning) for key, meaning in MEANINGS.items()
+        }
+        actions.update(
+            u=self.undo, a=self.redo, y=partial(self.answer, True), n=partial(self.answer, False)
+        )
         for key, action in actions.items():
             interactor.clear_events_for_key(key, raise_on_missing=False)
             self._plotter.add_key_event(key, action)
@@ -118,7 +129,7 @@ class Placing:
         return None if self.organ is None else pyvista.PolyData(polydata_of(self.organ.mesh))
 
     def place(self, meaning: str, place: Sequence[float]) -> None:
-        """What a click does: 'seed', of which the second is on the rim, 'inside', 'outside', 'boundary' or 'look'."""
+        """What a click does: 'seed' (a second one is its rim), or another of MEANINGS."""
         if meaning not in MEANINGS.values():
             raise ValueError(f"meaning: {meaning!r} is none of {', '.join(MEANINGS.values())}")
         where = tuple(floats("place", place, 3))
@@ -133,7 +144,9 @@ class Placing:
                 self._show()
                 return
             self._steps, self._undone = steps, []
-            self._known = {key: organ for key, organ in self._known.items() if key == tuple(steps[: len(key)])}
+            self._known = {
+                key: organ for key, organ in self._known.items() if key == tuple(steps[: len(key)])
+            }
         if meaning == "look" or is_middle:
             self._place = where  # the slices go there
         self._show()
@@ -167,7 +180,8 @@ class Placing:
 
     def _release(self, *_: Any) -> None:
         """A click, if the mouse has not moved, and a slice is there."""
-        self._plotter.iren.style.OnRightButtonUp()  # PyVista has put this in its place, and the drag would go on
+        # PyVista has put this in its place, and the drag would go on.
+        self._plotter.iren.style.OnRightButtonUp()
         at = self._plotter.iren.get_event_position()
         if max(abs(a - b) for a, b in zip(at, self._pressed)) > CLICK_PIXELS:
             return
@@ -220,18 +234,42 @@ class Placing:
                 if has_moved:
                     assert self._image is not None
                     name = f"flipfree-slice-{number}"
-                    self._slices[plotter.renderer] = add_slice(plotter, self._image, region, right, up, name=name, **quiet)
+                    self._slices[plotter.renderer] = add_slice(
+                        plotter, self._image, region, right, up, name=name, **quiet
+                    )
                 if surface is not None:
-                    add_contour(plotter, surface, region, normal, CONTOUR, name=f"flipfree-organ-{number}", **quiet)
+                    add_contour(
+                        plotter,
+                        surface,
+                        region,
+                        normal,
+                        CONTOUR,
+                        name=f"flipfree-organ-{number}",
+                        **quiet,
+                    )
             elif surface is not None:
-                plotter.add_mesh(surface, color=ORGAN, opacity=0.6, smooth_shading=True,
-                                 name=f"flipfree-organ-{number}", **quiet)
+                plotter.add_mesh(
+                    surface,
+                    color=ORGAN,
+                    opacity=0.6,
+                    smooth_shading=True,
+                    name=f"flipfree-organ-{number}",
+                    **quiet,
+                )
             for meaning, color in COLORS.items():
-                near = [place for what, place in self._steps if what == meaning and (
-                    normal is None or abs((numpy.array(place) - self._place) @ normal) < ball)]
+                near = [
+                    place
+                    for what, place in self._steps
+                    if what == meaning
+                    and (normal is None or abs((numpy.array(place) - self._place) @ normal) < ball)
+                ]
                 if near:
-                    balls = pyvista.MultiBlock([pyvista.Sphere(radius=ball, center=place) for place in near])
-                    plotter.add_mesh(balls.combine(), color=color, name=f"flipfree-{meaning}-{number}", **quiet)
+                    balls = pyvista.MultiBlock(
+                        [pyvista.Sphere(radius=ball, center=place) for place in near]
+                    )
+                    plotter.add_mesh(
+                        balls.combine(), color=color, name=f"flipfree-{meaning}-{number}", **quiet
+                    )
             plotter.reset_camera_clipping_range()
         self._say()
 
@@ -239,8 +277,14 @@ class Placing:
         questions = self.organ.questions if self.organ is not None else ()
         lines = [HELP[0].format(self._meaning), HELP[1], self._words, *map(str, questions[:1])]
         self._plotter.subplot(1, 1)
-        self._plotter.add_text("\n".join(filter(None, lines)), position="upper_left", font_size=9, color=LETTER,
-                               name="flipfree-words", render=False)
+        self._plotter.add_text(
+            "\n".join(filter(None, lines)),
+            position="upper_left",
+            font_size=9,
+            color=LETTER,
+            name="flipfree-words",
+            render=False,
+        )
         self._plotter.render()
 
 
@@ -253,7 +297,9 @@ def _spheres_of(seeds: Sequence[tuple[float, ...]]) -> list[tuple[tuple[float, .
     return [(middle, math.dist(middle, rim)) for middle, rim in zip(seeds[::2], seeds[1::2])]
 
 
-def _organ_of(image: Image, steps: Sequence[Step], parameters: dict[str, Any]) -> Segmentation | None:
+def _organ_of(
+    image: Image, steps: Sequence[Step], parameters: dict[str, Any]
+) -> Segmentation | None:
     """None if there is no seed yet."""
     spheres = _spheres_of(_seeds_of(steps))
     if not spheres:

@@ -1,13 +1,13 @@
-"""FlipFree in any ParaView whose Python is that of this package: a plugin in Python, which nothing builds.
+"""FlipFree in any ParaView whose Python is that of this package: a plugin that nothing builds.
 
-In ParaView: Tools > Manage Plugins > Load New, and choose this file. In scripts of pvpython and in ParaView's
-Python Shell:
+In ParaView: Tools > Manage Plugins > Load New, and choose this file. In scripts of pvpython and in
+ParaView's Python Shell:
 
     import flipfree.paraview_plugin
     flipfree.paraview_plugin.load()
 
-The properties are the parameters of flipfree.segment. The plugin in C++ has more: corrections, organs together,
-vessels, and the stages as filters.
+The properties are the parameters of flipfree.segment. The plugin in C++ has more: corrections,
+organs together, vessels, and the stages as filters.
 """
 
 import atexit
@@ -27,7 +27,7 @@ if _FOLDER not in sys.path:
 
 
 def _import_own_package() -> None:
-    """ParaView loads this file by itself: the package is the one around it, whatever is before it on sys.path."""
+    """ParaView loads this file by itself: the package is the one around it, not one on sys.path."""
     found = sys.modules.get("flipfree")
     if found is None:
         file = os.path.join(_PACKAGE, "__init__.py")
@@ -84,7 +84,11 @@ paraview_plugin_version = flipfree.__version__
 # Those that the panel shows without the gear.
 BASIC = ("resolution", "label_value", "keep_history")
 # How the XML calls an element and its range, by the type of its numbers.
-ELEMENTS = {bool: ("Int", "BooleanDomain"), int: ("Int", "IntRangeDomain"), float: ("Double", "DoubleRangeDomain")}
+ELEMENTS = {
+    bool: ("Int", "BooleanDomain"),
+    int: ("Int", "IntRangeDomain"),
+    float: ("Double", "DoubleRangeDomain"),
+}
 # The parameters that are a choice of values, which the table has as numbers.
 CHOICES = {"modality": ("Automatic", "CT", "MR")}
 
@@ -98,23 +102,27 @@ SEED = f"""
   <InputArrayDomain name="input_array" attribute_type="point" number_of_components="1"/>
   <Documentation>The CT or MR volume: an image with one scalar component.</Documentation>
 </InputProperty>
-<InputProperty name="StartSurface" label="Start Surface" command="SetInputConnection" port_index="1" null_on_empty="1"
-               panel_visibility="never">
+<InputProperty name="StartSurface" label="Start Surface" command="SetInputConnection" port_index="1"
+               null_on_empty="1" panel_visibility="never">
   <DataTypeDomain name="input_type"><DataType value="vtkPolyData"/></DataTypeDomain>
-  <Documentation>A surface to start from instead of the sphere: closed, without self-intersections.</Documentation>
+  <Documentation>
+    A surface to start from instead of the sphere: closed, without self-intersections.
+  </Documentation>
   <Hints><Optional/></Hints>
 </InputProperty>
-<DoubleVectorProperty name="SeedCenter" label="Seed Center" command="SetSeedCenter" number_of_elements="3"
-                      default_values="none">
+<DoubleVectorProperty name="SeedCenter" label="Seed Center" command="SetSeedCenter"
+                      number_of_elements="3" default_values="none">
   <BoundsDomain name="range" mode="normal" default_mode="mid">
     <RequiredProperties><Property name="Input" function="Input"/></RequiredProperties>
   </BoundsDomain>
   <Documentation>Center of the seed sphere in millimeters; a point inside the organ.</Documentation>
 </DoubleVectorProperty>
-<DoubleVectorProperty name="SeedRadius" label="Seed Radius" command="SetSeedRadius" number_of_elements="1"
-                      default_values="10">
+<DoubleVectorProperty name="SeedRadius" label="Seed Radius" command="SetSeedRadius"
+                      number_of_elements="1" default_values="10">
   <DoubleRangeDomain name="range" min="{RADII[0]}"/>
-  <Documentation>Radius of the seed sphere in millimeters, at least half that of the largest that fits.</Documentation>
+  <Documentation>
+    Radius of the seed sphere in millimeters, at least half that of the largest that fits.
+  </Documentation>
 </DoubleVectorProperty>
 """
 GROUP = """
@@ -140,7 +148,9 @@ def _property_of(name: str, settings: Any) -> str:
     element, domain = ELEMENTS[type(values[0])]
     limits = ""
     if name in CHOICES:
-        entries = (f'<Entry text="{text}" value="{value}"/>' for value, text in enumerate(CHOICES[name]))
+        entries = (
+            f'<Entry text="{text}" value="{value}"/>' for value, text in enumerate(CHOICES[name])
+        )
         domain, limits = "EnumerationDomain", f">{''.join(entries)}</EnumerationDomain>"
     elif domain == "BooleanDomain" or isinstance(default, tuple):
         limits = "/>"
@@ -153,24 +163,33 @@ def _property_of(name: str, settings: Any) -> str:
         f'command="Set{parameter.property}" number_of_elements="{len(values)}" '
         f'default_values="{" ".join(str(int(x) if element == "Int" else x) for x in values)}" '
         f'panel_visibility="{"default" if name in BASIC else "advanced"}">'
-        f'<{domain} name="range"{limits}<Documentation>{escape(parameter.documentation)}</Documentation>'
+        f'<{domain} name="range"{limits}'
+        f"<Documentation>{escape(parameter.documentation)}</Documentation>"
         f"</{element}VectorProperty>"
     )
 
 
 def _times() -> str:
     return (
-        '<DoubleVectorProperty name="TimestepValues" information_only="1" si_class="vtkSITimeStepsProperty" '
-        'repeatable="1"><TimeStepsInformationHelper/></DoubleVectorProperty>'
+        '<DoubleVectorProperty name="TimestepValues" information_only="1" '
+        'si_class="vtkSITimeStepsProperty" repeatable="1">'
+        "<TimeStepsInformationHelper/></DoubleVectorProperty>"
     )
 
 
 def _properties() -> str:
     settings = SegmentationAlgorithm("default").settings
-    return SEED + "".join(_property_of(name, settings) for name in SEGMENT_PARAMETERS) + _times() + GROUP
+    return (
+        SEED
+        + "".join(_property_of(name, settings) for name in SEGMENT_PARAMETERS)
+        + _times()
+        + GROUP
+    )
 
 
-@smproxy.filter(name="FlipFreeSegmentationPython", label="Flip-Free Segmentation (Python)", support_reload=False)
+@smproxy.filter(
+    name="FlipFreeSegmentationPython", label="Flip-Free Segmentation (Python)", support_reload=False
+)
 @smhint.xml('<ShowInMenu category="FlipFree"/>')
 @smproperty.xml(_properties())
 class FlipFreeSegmentationPython(Filter):
@@ -181,7 +200,8 @@ class FlipFreeSegmentationPython(Filter):
         _ALIVE.add(self)
 
 
-# ParaView lets go of its filters only after Python's end, when the extension would complain of what is left.
+# ParaView lets go of its filters only after Python's end, when the extension would complain of
+# what is left.
 _ALIVE: "weakref.WeakSet[Filter]" = weakref.WeakSet()
 
 
@@ -199,11 +219,12 @@ def _let_go() -> None:
     support_reload=False,
 )
 @smproperty.xml(
-    '<StringVectorProperty name="FileName" command="SetFileName" number_of_elements="1" panel_visibility="never">'
-    '<FileListDomain name="files"/><Documentation>The volume.</Documentation></StringVectorProperty>'
+    '<StringVectorProperty name="FileName" command="SetFileName" number_of_elements="1" '
+    'panel_visibility="never"><FileListDomain name="files"/>'
+    "<Documentation>The volume.</Documentation></StringVectorProperty>"
 )
 class FlipFreeReaderPython(VTKPythonAlgorithmBase):  # type: ignore[misc]
-    """Volumes with their place in space, in LPS millimeters, which ParaView's own readers leave out."""
+    """Volumes with their place in space, in LPS mm, which ParaView's own readers leave out."""
 
     def __init__(self) -> None:
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
@@ -216,7 +237,7 @@ class FlipFreeReaderPython(VTKPythonAlgorithmBase):  # type: ignore[misc]
             self.Modified()
 
     def _read(self) -> Any:
-        """The image, or None; what is wrong with the file is told once, though ParaView asks again."""
+        """The image, or None; what is wrong is told once, though ParaView asks again."""
         if self._image is None:
             try:
                 self._image = imagedata_of(flipfree.read_image(self._name))

@@ -9,8 +9,8 @@ with the image as the first argument.
     liver = ct.flipfree.segment(seed=(99.75, 83.75, 167), radius=28, labels_as="liver")
     ct.flipfree.plotter(liver).show()
 
-In a plotter of 2 x 2 views of PyVista 0.49, `plotter.flipfree.open(ct)` has seeds and corrections placed
-with the mouse.
+In a plotter of 2 x 2 views of PyVista 0.49, `plotter.flipfree.open(ct)` has seeds and corrections
+placed with the mouse.
 """
 
 from __future__ import annotations
