@@ -31,6 +31,11 @@ class BuildScript(unittest.TestCase):
             self.assertEqual(shlex.split(line), [f"FLIPFREE_BUILD={folder}", str(wrapping / "ParaView" / "with-paraview.sh"),
                                                  "paraview"])
 
+    def test_with_paraview_needs_a_program(self):
+        process = subprocess.run([SCRIPTS / "with-paraview.sh", "--no-plugin"], capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr, "^with-paraview.sh: which program is to run")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -21,7 +21,10 @@ needs_wheel = unittest.skipIf(HAS_VTK, "about the objects of the package without
 
 SEED = (99.75, 83.75, 167)
 RADIUS = 28
-SIZE = (110, 86, 46)  # half the phantom's own along each axis: what numbers the kernels find is tested there
+# Voxels twice as long as the phantom's own; 86 and 46 are a row and a slice more than half, as in
+# Testing/Command/command.py. What is found with the phantom's own is tested in
+# Testing/Filters/TestPhantomSegmentation.cxx (AbdomenSegmentation).
+SIZE = (110, 86, 46)
 SPACING = (3, 3, 6)
 
 

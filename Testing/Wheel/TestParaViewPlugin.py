@@ -1,10 +1,13 @@
 """The plugin in Python, over the wheel, in ParaView without the plugin in C++."""
 
 import contextlib
+import inspect
 import io
 import os
 import re
+import subprocess
 import sys
+import unittest.mock
 
 # Behind all that ParaView brings along, numpy and VTK included.
 sys.path.append(os.environ["FLIPFREE_WHEEL_SITE"])
@@ -16,7 +19,9 @@ import session
 from paraview import servermanager, simple
 from session import column, fetch, points, voxels
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
+PVPYTHON = os.path.join(f"{os.environ['FLIPFREE_BUILD']}-prefix", "usr", "bin", "pvpython")
 DIRECTION = (0, -1, 0, 1, 0, 0, 0, 0, 1)
 
 
@@ -42,6 +47,25 @@ class Plugin(session.SessionTest):
         matrix = fetch(self.image).GetDirectionMatrix()
         self.assertEqual([matrix.GetElement(i, j) for i in range(3) for j in range(3)], list(DIRECTION))
         self.assertEqual(self.image.GetDataInformation().GetBounds(), (-39, 0, 0, 39, 0, 39))
+
+    def test_direction_is_announced(self):
+        reader = flipfree.paraview_plugin.FlipFreeReaderPython()
+        reader.SetFileName(self.file("ball.nii"))
+        reader.UpdateInformation()
+        announced = reader.GetOutputInformation(0)
+        self.assertEqual([announced.Get(vtkDataObject.DIRECTION(), index) for index in range(9)], list(DIRECTION))
+
+    def test_files_that_cannot_be_read_are_one_message(self):
+        with open(self.file("damaged.nii"), "wb") as file:
+            file.write(b"no image")
+        for name in ("damaged.nii", "missing.nii"):
+            reader = flipfree.paraview_plugin.FlipFreeReaderPython()
+            reader.SetFileName(self.file(name))
+            with unittest.mock.patch.object(flipfree.paraview_plugin, "vtkLogger") as logger:
+                self.assertEqual(reader.RequestInformation(None, None, None), 0)
+                self.assertEqual(reader.RequestData(None, None, None), 0)  # ParaView asks for it all the same
+            [call] = logger.Log.call_args_list
+            self.assertRegex(call.args[3], f"^FlipFreeReaderPython: '.*{name}'")
 
     def test_outputs_are_those_of_the_package(self):
         self.assert_same(points(fetch(self.organ)), self.expected.points)
@@ -105,6 +129,48 @@ class Plugin(session.SessionTest):
         self.assertGreater(fetch(self.organ).GetNumberOfPoints(), 384)
         self.organ.StartSurface = None
         self.assert_same(points(fetch(self.organ)), self.expected.points)
+
+
+class Loading(session.SessionTest):
+    """Of the file by itself, as ParaView does, in a process of its own."""
+
+    def load(self, before=""):
+        program = f"""
+import inspect, os, runpy, sys
+sys.path[:] = [path for path in sys.path if os.path.realpath(path) != os.path.realpath(os.environ["FLIPFREE_WHEEL_SITE"])]
+sys.path.insert(0, {self.folder!r})
+{before}
+runpy.run_path(os.path.join(os.environ["FLIPFREE_WHEEL_SITE"], "flipfree", "paraview_plugin.py"))
+print(sys.modules["flipfree"].__file__)
+print(*(inspect.getargspec(lambda a, b=1: a) if hasattr(inspect, "getargspec") else "none"))
+"""
+        path = self.file("load.py")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(program)
+        return subprocess.run([PVPYTHON, path], capture_output=True, text=True, check=False)
+
+    def test_package_is_the_one_of_the_file(self):
+        """Not the toolkit's own, which is before it on the path."""
+        os.mkdir(self.file("flipfree"))
+        with open(self.file("flipfree/__init__.py"), "w", encoding="utf-8") as file:
+            file.write("__version__ = 'another'\n")
+        process = self.load()
+        own = os.path.join(os.path.realpath(os.environ["FLIPFREE_WHEEL_SITE"]), "flipfree", "__init__.py")
+        self.assertEqual(process.stdout.splitlines()[:1], [own], process)
+        process = self.load("import flipfree")
+        another = re.escape(os.path.join(os.path.realpath(self.folder), "flipfree"))
+        self.assertRegex(process.stderr, f"ImportError: another flipfree has been imported already, from '{another}'")
+
+    @unittest.skipIf(sys.version_info < (3, 11), "this Python has it")
+    def test_getargspec_is_added_only_where_it_is_needed(self):
+        """And has four fields."""
+        source = inspect.getsource(sys.modules["paraview.detail.pythonalgorithm"])
+        is_needed = "import getargspec" in source
+        added = "['a', 'b'] None None (1,)" if is_needed else "n o n e"
+        self.assertEqual(self.load().stdout.splitlines()[1:], [added])
+        # As in a ParaView that does without.
+        before = "inspect.getargspec = inspect.getfullargspec\nimport paraview.util.vtkAlgorithm\ndel inspect.getargspec"
+        self.assertEqual(self.load(before).stdout.splitlines()[1:], ["n o n e"])
 
 
 class Guide(session.SessionTest):

@@ -113,6 +113,64 @@ class Placing(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "^meaning: 'in' is none of look, seed, inside"):
             self.tool.place("in", MIDDLE)
 
+    def test_a_refused_step_keeps_what_was_undone(self):
+        self.seed()
+        self.tool.place("inside", (34, 19.5, 19.5))
+        more = self.tool.organ
+        self.tool.undo()
+        self.tool.place("inside", (-50, 0, 0))
+        self.tool.redo()
+        self.assertIs(self.tool.organ, more)
+
+    def test_a_refused_rim_can_be_placed_again(self):
+        self.tool.place("seed", MIDDLE)
+        self.tool.place("seed", MIDDLE)
+        self.assertIn("radius", self.tool._words)
+        self.assertEqual(len(self.tool._steps), 1)
+        self.tool.place("seed", (26, 19.5, 19.5))
+        self.assertEqual(self.tool._words, "")
+        self.assertIsNotNone(self.tool.organ)
+
+    def test_opened_again(self):
+        """A click is one step still; the seed is that of the new image."""
+        image = ours.imagedata(self.phantom.image)
+        self.assertIs(self.tool.open(image, MIDDLE, 6.5, resolution=8), self.tool)
+        self.key("i")
+        self.click((34, 19.5, 19.5), CORONAL)
+        self.assertEqual([meaning for meaning, _ in self.tool._steps], ["seed", "seed", "inside"])
+        organ = self.tool.organ
+        for seed, radius, message in ((MIDDLE, None, "^seed, radius: give both"), (None, 6.5, "^seed, radius: give both"),
+                                      ((-50, 0, 0), 6.5, r"\(-50, 0, 0\)"), (MIDDLE, -1, "^radius: -1 is not positive")):
+            with self.subTest(message), self.assertRaisesRegex((flipfree.FlipFreeError, ValueError), message):
+                self.tool.open(image, seed, radius, resolution=8)
+            self.assertIs(self.tool.organ, organ)
+        self.tool.undo()
+        self.tool.undo()
+        self.assertIsNone(self.tool.organ)
+
+    def test_corrections_and_seeds_are_those_of_one_run(self):
+        """Whatever their order; what no step reaches any more is let go."""
+        inside, outside, second = (34, 19.5, 19.5), (19.5, 8, 19.5), (19.5, 24, 19.5)
+        self.seed()
+        self.tool.place("inside", inside)
+        self.tool.place("seed", second)
+        before = self.tool.organ
+        self.tool.place("seed", (19.5, 26, 19.5))
+        self.assertIsNot(self.tool.organ, before)
+        self.tool.place("outside", outside)
+        (middle, rim), organ = (place for _, place in self.tool._steps[:2]), self.tool.organ
+        expected = flipfree.segment(self.phantom.image, middle, numpy.linalg.norm(numpy.subtract(rim, middle)),
+                                    seeds=[(second, 2)], inside=[inside], outside=[outside], resolution=8)
+        self.assertEqual({(one.kind, one.place) for one in organ.constraints},
+                         {(one.kind, one.place) for one in expected.constraints})
+        numpy.testing.assert_allclose(organ.volume, expected.volume, rtol=0.01)
+        self.assertEqual(len(self.tool._known), 1 + len(self.tool._steps))
+        for _ in range(4):
+            self.tool.undo()
+        self.assertEqual(len(self.tool._known), 7)  # it can be made again
+        self.tool.place("outside", outside)
+        self.assertEqual(len(self.tool._known), 4)
+
     def test_answers(self):
         self.seed()
         asked = flipfree.Question((34.0, 19.5, 19.5), 3.4, included=False, margin=1.0)

@@ -20,7 +20,7 @@ VESSELS = {
     "corrected": ("vessel", {"inside": [(48, 60, 50)], "outside": [(20, 47, 44)], "levels": 1}),
 }
 SEED, RADIUS = (99.75, 83.75, 167), 28
-GRID = {"dimensions": (110, 86, 46), "spacing": (3, 3, 6)}  # half the phantom's own along each axis
+GRID = {"dimensions": (110, 86, 46), "spacing": (3, 3, 6)}  # as in Testing/Python/example.py
 RUNS = {
     "default": {},
     "carving": {"carving": True},

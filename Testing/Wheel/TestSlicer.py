@@ -2,6 +2,7 @@
 
 import contextlib
 import dataclasses
+import inspect
 import os
 import re
 import subprocess
@@ -50,19 +51,20 @@ class SlicerTest(unittest.TestCase):
     def node(self, kind, name):
         return self.scene.AddNewNodeByClass(f"vtkMRML{kind}Node", name)
 
-    def volume(self, matrix=RAS, phantom="sphere", size=40, name="ct"):
+    def volume(self, matrix=RAS, phantom="sphere", size=40, name="ct", start=(0, 0, 0)):
         self.phantom = flipfree.phantom(phantom, dimensions=(size, size, size))
         data = vtkImageData()
-        data.SetDimensions(size, size, size)
+        data.SetExtent(*(index for first in start for index in (first, first + size - 1)))
         data.GetPointData().SetScalars(numpy_to_vtk(self.phantom.image.voxels.ravel(), deep=True))
         volume = self.node("ScalarVolume", name)
         volume.SetAndObserveImageData(data)
         volume.SetIJKToRASMatrix(matrix_of(matrix))
-        self.matrix = matrix
+        self.matrix, self.start = matrix, start
         return volume
 
     def ras(self, *index):
-        return (self.matrix @ [*index, 1])[:3]
+        """Of a voxel, counted from the first."""
+        return (self.matrix @ [*numpy.add(index, self.start), 1])[:3]
 
     def markups(self, kind, name, *points, label=""):
         node = self.node(f"Markups{kind}", name)
@@ -90,7 +92,8 @@ class SlicerTest(unittest.TestCase):
                                       [expected.GetElement(i, j) for i in range(4) for j in range(4)], atol=1e-9)
         size = volume.GetImageData().GetDimensions()
         voxels = numpy.zeros(size[::-1], bool)
-        low, high = (numpy.array(image.GetExtent()[at::2]) for at in (0, 1))
+        first = volume.GetImageData().GetExtent()[::2]
+        low, high = (numpy.subtract(image.GetExtent()[at::2], first) for at in (0, 1))
         part = vtk_to_numpy(image.GetPointData().GetScalars()).reshape((high - low + 1)[::-1])
         voxels[low[2]:high[2] + 1, low[1]:high[1] + 1, low[0]:high[0] + 1] = part != 0
         return voxels
@@ -114,6 +117,14 @@ class Geometry(SlicerTest):
                 points = vtk_to_numpy(self.surface(found).GetPoints().GetData())
                 numpy.testing.assert_allclose(points * [-1, -1, 1], found.result.points, atol=1e-9)
                 numpy.testing.assert_allclose(points.mean(axis=0), self.ras(*center[::-1]), atol=0.5)
+
+    def test_first_index_need_not_be_zero(self):
+        volume = self.volume(OBLIQUE, start=(3, -2, 5))
+        found = ours.segment(volume, self.seed(), **COARSE)
+        self.assertGreater(self.dice(found, volume), 0.95)
+        center = [0.0] * 3
+        found.segmentationNode.GetSegmentCenterRAS(found.segmentID, center)
+        numpy.testing.assert_allclose(center, self.ras(19.5, 19.5, 19.5), atol=1)
 
     def test_surface_is_the_result_and_faces_outward(self):
         volume = self.volume()
@@ -140,7 +151,7 @@ class Geometry(SlicerTest):
         line = self.markups("Line", "line", center, center + [0, 6, 0])
         unlabeled = self.markups("Fiducial", "F", center)
         expected = ours.segment(volume, self.seed(), **COARSE).result.points
-        for seeds, radius in ((roi, None), (line, None), (unlabeled, 6)):
+        for seeds, radius in ((roi, None), (line, None), (unlabeled, 6), (unlabeled, numpy.float64(6))):
             points = ours.segment(volume, seeds, radius=radius, **COARSE).result.points
             numpy.testing.assert_allclose(points, expected, atol=1e-6)
         several = self.markups("Fiducial", "F", center, center + [0, 0, 3])
@@ -339,30 +350,44 @@ class Panel(SlicerTest):
 
     def setUp(self):
         super().setUp()
-        self.clicks = {}
+        self.clicks, self.errors = {}, []
         scene = self.scene
 
         class Chooser(unittest.mock.MagicMock):
+            def connect(self, signal, slot):
+                self.slot = slot
+
             def setCurrentNode(self, node):
                 self.currentNode.return_value = node
+                _signal(self.slot, node)
 
             def addNode(self):
                 self.setCurrentNode(scene.AddNewNodeByClass(self.nodeTypes[0], self.baseName))
 
         def button(text):
             widget = unittest.mock.MagicMock()
-            widget.clicked.connect.side_effect = lambda action: self.clicks.__setitem__(text, action)
+            widget.clicked.connect.side_effect = lambda action: self.clicks.__setitem__(
+                text, lambda: _signal(action, False) if widget.enabled else self.fail(f"{text} cannot be pressed"))
             return widget
 
         def chooser():
-            widget = Chooser()
+            widget = Chooser(slot=lambda: None)
             widget.currentNode.return_value = None
             return widget
 
         base = types.SimpleNamespace(ScriptedLoadableModule=object, ScriptedLoadableModuleWidget=type(
             "Base", (), {"setup": lambda self: setattr(self, "layout", unittest.mock.MagicMock())}))
         qt = unittest.mock.MagicMock(QPushButton=button, QLineEdit=lambda text: types.SimpleNamespace(text=text))
-        util = types.SimpleNamespace(tryWithErrorDisplay=lambda *_, **__: contextlib.nullcontext())
+
+        @contextlib.contextmanager
+        def shown(message, show=True, waitCursor=False):
+            del show, waitCursor
+            try:
+                yield
+            except Exception as error:  # pylint: disable=broad-except
+                self.errors.append(f"{message} {error}")
+
+        util = types.SimpleNamespace(tryWithErrorDisplay=shown)
         modules = {"ctk": unittest.mock.MagicMock(), "qt": qt, "slicer.ScriptedLoadableModule": base}
         self.jumps = unittest.mock.MagicMock()
         for patch in (unittest.mock.patch.dict(sys.modules, modules),
@@ -374,23 +399,83 @@ class Panel(SlicerTest):
         self.panel = types.ModuleType("FlipFree")
         exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), self.panel.__dict__)
 
-    def test_run_answer_undo(self):
+    def enabled(self, widget):
+        return [button.enabled for button in (widget.runs, *widget.steps, *widget.answers)]
+
+    def chosen(self):
+        """The panel with a ball and a seed, and a question after each run."""
         widget = self.panel.FlipFreeWidget()
         widget.setup()
-        self.assertEqual(list(self.clicks), ["Run", "Undo", "Redo", "Yes", "No"])
-        self.assertEqual([button.enabled for button in widget.answers], [False, False])
-        volume = self.volume()
-        widget.volume.setCurrentNode(volume)
+        widget.volume.setCurrentNode(self.volume())
         widget.seeds.setCurrentNode(self.seed("F-1"))
         widget.radius.value = 6
         asked = (flipfree.Question((34.0, 20.0, 20.0), 3.4, included=False, margin=1.0),)
-        with unittest.mock.patch.object(ours, "segment", lambda *a, **k: _asking(self.segment(*a, **k, **COARSE), asked)):
+        patch = unittest.mock.patch.object(
+            ours, "segment", lambda *a, **k: _asking(self.segment(*a, **k, **COARSE), asked))
+        patch.start()
+        self.addCleanup(patch.stop)
+        return widget
+
+    def test_no_is_no(self):
+        widget = self.chosen()
+        self.clicks["Run"]()
+        self.clicks["No"]()
+        self.assertEqual(widget.outside.currentNode().GetNthControlPointLabel(0), "outside")
+        self.assertIsNone(widget.inside.currentNode())
+        self.assertEqual(self.errors, [])
+
+    def test_buttons_wait_for_what_they_need(self):
+        widget = self.panel.FlipFreeWidget()
+        widget.setup()
+        self.assertEqual(self.enabled(widget), [False] * 5)
+        volume = self.volume()
+        widget.volume.setCurrentNode(volume)
+        self.assertFalse(widget.runs.enabled)
+        widget = self.chosen()
+        self.assertEqual(self.enabled(widget), [True, False, False, False, False])
+        self.clicks["Run"]()
+        self.assertEqual(self.enabled(widget), [True] * 5)
+        widget.volume.setCurrentNode(volume)  # of which it has not asked
+        self.assertEqual((self.enabled(widget), widget.question.text), ([True] * 3 + [False] * 2, ""))
+        widget.volume.setCurrentNode(None)
+        widget.segmentation.setCurrentNode(None)
+        self.assertEqual(self.enabled(widget), [False] * 5)
+
+    def test_undone_results_ask_no_more(self):
+        widget = self.chosen()
+        for name in ("Undo", "Redo"):
             self.clicks["Run"]()
-            node = widget.segmentation.currentNode()
-            count = self.labels(widget.found, volume).sum()
-            self.assertEqual(widget.question.text, "Is the part of 3 ml at (-34, -20, 20) mm organ? It is left out.")
-            self.jumps.markups.logic().JumpSlicesToLocation.assert_called_with(*self.ras(34, 20, 20), True)
+            if name == "Redo":
+                ours.undo(widget.segmentation.currentNode())
+            self.assertNotEqual(widget.question.text, "")
+            self.clicks[name]()
+            self.assertEqual((widget.question.text, self.enabled(widget)[3:]), ("", [False, False]))
+            self.assertEqual(widget.questions.GetNumberOfControlPoints(), 0)
+
+    def test_errors_are_shown(self):
+        widget = self.chosen()
+        widget.seeds.setCurrentNode(self.node("MarkupsFiducial", "F"))
+        self.clicks["Run"]()
+        self.assertEqual(self.errors, ["No segmentation. seeds: 'F' has no points; place one within the organ"])
+        widget.segmentation.setCurrentNode(self.node("Segmentation", "S"))
+        with unittest.mock.patch.object(ours, "undo", side_effect=flipfree.FlipFreeError("lost")):
+            self.clicks["Undo"]()
+        widget.seeds.setCurrentNode(self.seed("F-1"))
+        self.clicks["Run"]()
+        with unittest.mock.patch.object(ours, "answer", side_effect=flipfree.FlipFreeError("lost")):
             self.clicks["Yes"]()
+        self.assertEqual(self.errors[1:], ["No undo. lost", "No answer. lost"])
+
+    def test_run_answer_undo(self):
+        widget = self.chosen()
+        self.assertEqual(list(self.clicks), ["Run", "Undo", "Redo", "Yes", "No"])
+        volume = widget.volume.currentNode()
+        self.clicks["Run"]()
+        node = widget.segmentation.currentNode()
+        count = self.labels(widget.found, volume).sum()
+        self.assertEqual(widget.question.text, "Is the part of 3 ml at (-34, -20, 20) mm organ? It is left out.")
+        self.jumps.markups.logic().JumpSlicesToLocation.assert_called_with(*self.ras(34, 20, 20), True)
+        self.clicks["Yes"]()
         self.assertEqual(widget.inside.currentNode().GetNthControlPointLabel(0), "inside")
         more = self.labels(widget.found, volume).sum()
         self.assertGreater(more, count)
@@ -398,8 +483,16 @@ class Panel(SlicerTest):
         self.assertEqual(self.labels(widget.found, volume).sum(), count)
         self.clicks["Redo"]()
         self.assertEqual((self.labels(widget.found, volume).sum(), node.GetSegmentation().GetNumberOfSegments()), (more, 1))
+        self.assertEqual(self.errors, [])
 
     segment = staticmethod(ours.segment)
+
+
+def _signal(slot, argument):
+    """As PythonQt calls a slot: with the argument, if it takes one by its position."""
+    kinds = [parameter.kind for parameter in inspect.signature(slot).parameters.values()]
+    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)
+    slot(*([argument] if any(kind in positional for kind in kinds) else []))
 
 
 def _asking(found, questions):
@@ -431,6 +524,8 @@ class Errors(SlicerTest):
                 ((colors, self.seed()), {}, "^volumeNode: 'colors' has 3 components"),
                 ((volume, None), {}, "^seeds: a markups node is needed, not None"),
                 ((volume, volume), {}, "^seeds: a markups node is needed"),
+                ((volume, (20, 20, 20)), {}, r"^seeds: a markups node is needed, not \(20, 20, 20\)"),
+                ((volume, bad), {"radius": "big"}, "^radius: "),
                 ((volume, self.node("MarkupsFiducial", "F")), {}, "^seeds: 'F' has no points"),
                 ((volume, bad), {}, "^radius: it is needed for seeds that are points"),
                 ((volume, self.seed("seed big")), {}, """^'seeds', control point "seed big": 'big' is not a number"""),

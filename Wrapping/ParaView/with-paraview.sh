@@ -21,6 +21,10 @@ if [[ $1 == --no-plugin ]]; then
   with_plugin=false
   shift
 fi
+if (($# == 0)); then
+  echo "with-paraview.sh: which program is to run? Its help says more: with-paraview.sh --help" >&2
+  exit 2
+fi
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${FLIPFREE_BUILD:-$root/build/paraview}
 prefix=$build-prefix

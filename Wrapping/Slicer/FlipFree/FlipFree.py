@@ -44,21 +44,22 @@ class FlipFreeWidget(ScriptedLoadableModuleWidget):
         self.name = qt.QLineEdit("organ")
         form.addRow("Segment", self.name)
         self.progress = qt.QProgressBar()
-        form.addRow(self._button("Run", self.run), self.progress)
-        form.addRow(self._button("Undo", self.undo), self._button("Redo", self.redo))
+        self.runs = self._button("Run", self.run)
+        form.addRow(self.runs, self.progress)
+        self.steps = (self._button("Undo", self.undo), self._button("Redo", self.redo))
+        form.addRow(*self.steps)
         self.question = qt.QLabel()
         self.question.wordWrap = True
         form.addRow(self.question)
-        yes, no = (self._button(text, lambda value=value: self.answer(value)) for text, value in (("Yes", True), ("No", False)))
-        self.answers = (yes, no)
-        form.addRow(yes, no)
+        self.answers = (self._button("Yes", self.yes), self._button("No", self.no))
+        form.addRow(*self.answers)
         self.layout.addStretch(1)
-        self.ask()
+        for chooser in (self.volume, self.seeds, self.segmentation):
+            chooser.connect("currentNodeChanged(vtkMRMLNode*)", self.refresh)
+        self.refresh()
 
     def run(self):
         """Segments, and asks the first question."""
-        import flipfree.slicer as ours
-
         told = [0.0]
 
         def tell(fraction):
@@ -68,6 +69,8 @@ class FlipFreeWidget(ScriptedLoadableModuleWidget):
                 slicer.app.processEvents(qt.QEventLoop.ExcludeUserInputEvents)
 
         with slicer.util.tryWithErrorDisplay("No segmentation.", waitCursor=True):
+            import flipfree.slicer as ours
+
             self.found = ours.segment(
                 self.volume.currentNode(),
                 self.seeds.currentNode(),
@@ -80,38 +83,62 @@ class FlipFreeWidget(ScriptedLoadableModuleWidget):
             self.segmentation.setCurrentNode(self.found.segmentationNode)
             self.questions = ours.questions(self.found, self.questions)
         self.progress.value = 0
-        self.ask()
-
-    def ask(self):
-        """Shows the first question, and the place that it is about."""
-        asks = self.questions is not None and self.questions.GetNumberOfControlPoints() > 0
-        self.question.text = self.questions.GetNthControlPointDescription(0) if asks else ""
-        for button in self.answers:
-            button.enabled = asks
-        if asks:
+        self.refresh()
+        if self.asks():
             place = [0.0] * 3
             self.questions.GetNthControlPointPositionWorld(0, place)
             slicer.modules.markups.logic().JumpSlicesToLocation(*place, True)
 
+    def asks(self):
+        """Whether there is a question about what is chosen."""
+        return (
+            self.questions is not None
+            and self.found.volumeNode is self.volume.currentNode()
+            and self.found.segmentationNode is self.segmentation.currentNode()
+            and self.questions.GetNumberOfControlPoints() > 0
+        )
+
+    def refresh(self):
+        """Shows the first question; buttons can be pressed where there is something for them to do."""
+        has_segmentation, asks = self.segmentation.currentNode() is not None, self.asks()
+        self.question.text = self.questions.GetNthControlPointDescription(0) if asks else ""
+        self.runs.enabled = None not in (self.volume.currentNode(), self.seeds.currentNode())
+        for buttons, can_act in ((self.steps, has_segmentation), (self.answers, asks)):
+            for button in buttons:
+                button.enabled = can_act
+
+    # Methods, since PythonQt gives a lambda with a default the button's state in its place.
+    def yes(self):
+        self.answer(True)
+
+    def no(self):
+        self.answer(False)
+
     def answer(self, yes):
         """The answer is a point among those inside or outside, where it can be removed again."""
-        import flipfree.slicer as ours
+        with slicer.util.tryWithErrorDisplay("No answer."):
+            import flipfree.slicer as ours
 
-        chooser = self.inside if yes else self.outside
-        if chooser.currentNode() is None:
-            chooser.addNode()
-        ours.answer(self.questions, 0, yes, chooser.currentNode())
-        self.run()
+            chooser = self.inside if yes else self.outside
+            if chooser.currentNode() is None:
+                chooser.addNode()
+            ours.answer(self.questions, 0, yes, chooser.currentNode())
+            self.run()
 
     def undo(self):
-        import flipfree.slicer as ours
-
-        ours.undo(self.segmentation.currentNode())
+        self._step("undo")
 
     def redo(self):
-        import flipfree.slicer as ours
+        self._step("redo")
 
-        ours.redo(self.segmentation.currentNode())
+    def _step(self, name):
+        """Undoes or does again; questions are about a result that is no longer shown."""
+        with slicer.util.tryWithErrorDisplay(f"No {name}."):
+            import flipfree.slicer as ours
+
+            if getattr(ours, name)(self.segmentation.currentNode()) and self.questions is not None:
+                self.questions.RemoveAllControlPoints()
+        self.refresh()
 
     def _chooser(self, form, label, *kinds, adds=True, base=""):
         chooser = slicer.qMRMLNodeComboBox()

@@ -1,39 +1,80 @@
-"""FlipFree in any ParaView whose Python is that of this package: a plugin in Python, which nothing builds.
+"""FlipFree in any ParaView whose Python is that of this package: a plugin that nothing builds.
 
-In ParaView: Tools > Manage Plugins > Load New, and choose this file. In scripts of pvpython and in ParaView's
-Python Shell:
+In ParaView: Tools > Manage Plugins > Load New, and choose this file. In scripts of pvpython and in
+ParaView's Python Shell:
 
     import flipfree.paraview_plugin
     flipfree.paraview_plugin.load()
 
-The properties are the parameters of flipfree.segment. The plugin in C++ has more: corrections, organs together,
-vessels, and the stages as filters.
+The properties are the parameters of flipfree.segment. The plugin in C++ has more: corrections,
+organs together, vessels, and the stages as filters.
 """
 
 import atexit
+import importlib.util
 import inspect
 import os
 import sys
 import weakref
-from typing import Any
+from typing import Any, NamedTuple
 from xml.sax.saxutils import escape, quoteattr
 
-# ParaView loads the file by itself: the package is in the folder above, behind all that ParaView brings along.
-_FOLDER = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-if not any(os.path.isdir(os.path.join(path, "flipfree")) for path in sys.path):
+_PACKAGE = os.path.dirname(os.path.realpath(__file__))
+_FOLDER = os.path.dirname(_PACKAGE)
+# For what the package needs, behind all that ParaView brings along.
+if _FOLDER not in sys.path:
     sys.path.append(_FOLDER)
 
-# ParaView 5.11 and 5.12 call it, and Python 3.11 has it no more.
-if not hasattr(inspect, "getargspec"):
-    inspect.getargspec = inspect.getfullargspec  # type: ignore[attr-defined]
+
+def _import_own_package() -> None:
+    """ParaView loads this file by itself: the package is the one around it, not one on sys.path."""
+    found = sys.modules.get("flipfree")
+    if found is None:
+        file = os.path.join(_PACKAGE, "__init__.py")
+        spec = importlib.util.spec_from_file_location("flipfree", file)
+        assert spec is not None and spec.loader is not None
+        sys.modules["flipfree"] = package = importlib.util.module_from_spec(spec)
+        try:
+            spec.loader.exec_module(package)
+        except BaseException:
+            del sys.modules["flipfree"]
+            raise
+        return
+    place = os.path.realpath(getattr(found, "__file__", None) or "an unknown place")
+    if os.path.dirname(place) != _PACKAGE:
+        raise ImportError(
+            f"another flipfree has been imported already, from '{os.path.dirname(place)}'; "
+            f"start ParaView again, and import only the one in '{_PACKAGE}'"
+        )
+
+
+class _ArgSpec(NamedTuple):
+    args: Any
+    varargs: Any
+    keywords: Any
+    defaults: Any
+
+
+_import_own_package()
+try:
+    import paraview.util.vtkAlgorithm  # pylint: disable=unused-import
+except ImportError as error:
+    if error.name != "inspect":
+        raise
+    # ParaView 5.11 and 5.12 import it, and Python 3.11 has it no more.
+    inspect.getargspec = (  # type: ignore[attr-defined]
+        lambda function: _ArgSpec(*inspect.getfullargspec(function)[:4])
+    )
 
 from paraview.util.vtkAlgorithm import smhint, smproperty, smproxy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 import flipfree
 from flipfree._backend import RADII, SEGMENT_PARAMETERS, SegmentationAlgorithm
+from flipfree._errors import FlipFreeError
 from flipfree._vtk_objects import imagedata_of
 from flipfree.vtk import FlipFreeSegmentation as Filter
 
@@ -43,7 +84,11 @@ paraview_plugin_version = flipfree.__version__
 # Those that the panel shows without the gear.
 BASIC = ("resolution", "label_value", "keep_history")
 # How the XML calls an element and its range, by the type of its numbers.
-ELEMENTS = {bool: ("Int", "BooleanDomain"), int: ("Int", "IntRangeDomain"), float: ("Double", "DoubleRangeDomain")}
+ELEMENTS = {
+    bool: ("Int", "BooleanDomain"),
+    int: ("Int", "IntRangeDomain"),
+    float: ("Double", "DoubleRangeDomain"),
+}
 # The parameters that are a choice of values, which the table has as numbers.
 CHOICES = {"modality": ("Automatic", "CT", "MR")}
 
@@ -57,23 +102,27 @@ SEED = f"""
   <InputArrayDomain name="input_array" attribute_type="point" number_of_components="1"/>
   <Documentation>The CT or MR volume: an image with one scalar component.</Documentation>
 </InputProperty>
-<InputProperty name="StartSurface" label="Start Surface" command="SetInputConnection" port_index="1" null_on_empty="1"
-               panel_visibility="never">
+<InputProperty name="StartSurface" label="Start Surface" command="SetInputConnection" port_index="1"
+               null_on_empty="1" panel_visibility="never">
   <DataTypeDomain name="input_type"><DataType value="vtkPolyData"/></DataTypeDomain>
-  <Documentation>A surface to start from instead of the sphere: closed, without self-intersections.</Documentation>
+  <Documentation>
+    A surface to start from instead of the sphere: closed, without self-intersections.
+  </Documentation>
   <Hints><Optional/></Hints>
 </InputProperty>
-<DoubleVectorProperty name="SeedCenter" label="Seed Center" command="SetSeedCenter" number_of_elements="3"
-                      default_values="none">
+<DoubleVectorProperty name="SeedCenter" label="Seed Center" command="SetSeedCenter"
+                      number_of_elements="3" default_values="none">
   <BoundsDomain name="range" mode="normal" default_mode="mid">
     <RequiredProperties><Property name="Input" function="Input"/></RequiredProperties>
   </BoundsDomain>
   <Documentation>Center of the seed sphere in millimeters; a point inside the organ.</Documentation>
 </DoubleVectorProperty>
-<DoubleVectorProperty name="SeedRadius" label="Seed Radius" command="SetSeedRadius" number_of_elements="1"
-                      default_values="10">
+<DoubleVectorProperty name="SeedRadius" label="Seed Radius" command="SetSeedRadius"
+                      number_of_elements="1" default_values="10">
   <DoubleRangeDomain name="range" min="{RADII[0]}"/>
-  <Documentation>Radius of the seed sphere in millimeters, at least half that of the largest that fits.</Documentation>
+  <Documentation>
+    Radius of the seed sphere in millimeters, at least half that of the largest that fits.
+  </Documentation>
 </DoubleVectorProperty>
 """
 GROUP = """
@@ -99,7 +148,9 @@ def _property_of(name: str, settings: Any) -> str:
     element, domain = ELEMENTS[type(values[0])]
     limits = ""
     if name in CHOICES:
-        entries = (f'<Entry text="{text}" value="{value}"/>' for value, text in enumerate(CHOICES[name]))
+        entries = (
+            f'<Entry text="{text}" value="{value}"/>' for value, text in enumerate(CHOICES[name])
+        )
         domain, limits = "EnumerationDomain", f">{''.join(entries)}</EnumerationDomain>"
     elif domain == "BooleanDomain" or isinstance(default, tuple):
         limits = "/>"
@@ -112,24 +163,33 @@ def _property_of(name: str, settings: Any) -> str:
         f'command="Set{parameter.property}" number_of_elements="{len(values)}" '
         f'default_values="{" ".join(str(int(x) if element == "Int" else x) for x in values)}" '
         f'panel_visibility="{"default" if name in BASIC else "advanced"}">'
-        f'<{domain} name="range"{limits}<Documentation>{escape(parameter.documentation)}</Documentation>'
+        f'<{domain} name="range"{limits}'
+        f"<Documentation>{escape(parameter.documentation)}</Documentation>"
         f"</{element}VectorProperty>"
     )
 
 
 def _times() -> str:
     return (
-        '<DoubleVectorProperty name="TimestepValues" information_only="1" si_class="vtkSITimeStepsProperty" '
-        'repeatable="1"><TimeStepsInformationHelper/></DoubleVectorProperty>'
+        '<DoubleVectorProperty name="TimestepValues" information_only="1" '
+        'si_class="vtkSITimeStepsProperty" repeatable="1">'
+        "<TimeStepsInformationHelper/></DoubleVectorProperty>"
     )
 
 
 def _properties() -> str:
     settings = SegmentationAlgorithm("default").settings
-    return SEED + "".join(_property_of(name, settings) for name in SEGMENT_PARAMETERS) + _times() + GROUP
+    return (
+        SEED
+        + "".join(_property_of(name, settings) for name in SEGMENT_PARAMETERS)
+        + _times()
+        + GROUP
+    )
 
 
-@smproxy.filter(name="FlipFreeSegmentationPython", label="Flip-Free Segmentation (Python)", support_reload=False)
+@smproxy.filter(
+    name="FlipFreeSegmentationPython", label="Flip-Free Segmentation (Python)", support_reload=False
+)
 @smhint.xml('<ShowInMenu category="FlipFree"/>')
 @smproperty.xml(_properties())
 class FlipFreeSegmentationPython(Filter):
@@ -140,7 +200,8 @@ class FlipFreeSegmentationPython(Filter):
         _ALIVE.add(self)
 
 
-# ParaView lets go of its filters only after Python's end, when the extension would complain of what is left.
+# ParaView lets go of its filters only after Python's end, when the extension would complain of
+# what is left.
 _ALIVE: "weakref.WeakSet[Filter]" = weakref.WeakSet()
 
 
@@ -158,36 +219,52 @@ def _let_go() -> None:
     support_reload=False,
 )
 @smproperty.xml(
-    '<StringVectorProperty name="FileName" command="SetFileName" number_of_elements="1" panel_visibility="never">'
-    '<FileListDomain name="files"/><Documentation>The volume.</Documentation></StringVectorProperty>'
+    '<StringVectorProperty name="FileName" command="SetFileName" number_of_elements="1" '
+    'panel_visibility="never"><FileListDomain name="files"/>'
+    "<Documentation>The volume.</Documentation></StringVectorProperty>"
 )
 class FlipFreeReaderPython(VTKPythonAlgorithmBase):  # type: ignore[misc]
-    """Volumes with their place in space, in LPS millimeters, which ParaView's own readers leave out."""
+    """Volumes with their place in space, in LPS mm, which ParaView's own readers leave out."""
 
     def __init__(self) -> None:
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
-        self._name = ""
+        self._name = self._told = ""
         self._image: Any = None
 
     def SetFileName(self, name: str) -> None:
         if name != self._name:
-            self._name, self._image = name, None
+            self._name, self._told, self._image = name, "", None
             self.Modified()
 
     def _read(self) -> Any:
+        """The image, or None; what is wrong is told once, though ParaView asks again."""
         if self._image is None:
-            self._image = imagedata_of(flipfree.read_image(self._name))
+            try:
+                self._image = imagedata_of(flipfree.read_image(self._name))
+            except FlipFreeError as error:
+                if str(error) != self._told:
+                    self._told = str(error)
+                    message = f"FlipFreeReaderPython: {error}"
+                    vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, __file__, 0, message)
         return self._image
 
     def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
         del request, inputs
-        image, information = self._read(), outputs.GetInformationObject(0)
+        image = self._read()
+        if image is None:
+            return 0
+        information, matrix = outputs.GetInformationObject(0), image.GetDirectionMatrix()
+        direction = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
         information.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), image.GetExtent(), 6)
-        information.Set(image.SPACING(), image.GetSpacing(), 3)
-        information.Set(image.ORIGIN(), image.GetOrigin(), 3)
+        information.Set(vtkDataObject.SPACING(), image.GetSpacing(), 3)
+        information.Set(vtkDataObject.ORIGIN(), image.GetOrigin(), 3)
+        information.Set(vtkDataObject.DIRECTION(), direction, 9)
         return 1
 
     def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
         del request, inputs
-        vtkImageData.GetData(outputs, 0).ShallowCopy(self._read())
+        image = self._read()
+        if image is None:
+            return 0
+        vtkImageData.GetData(outputs, 0).ShallowCopy(image)
         return 1

@@ -9,7 +9,8 @@ with the image as the first argument.
     liver = ct.flipfree.segment(seed=(99.75, 83.75, 167), radius=28, labels_as="liver")
     ct.flipfree.plotter(liver).show()
 
-In every plotter, `plotter.flipfree.open(ct)` has seeds and corrections placed with the mouse.
+In a plotter of 2 x 2 views of PyVista 0.49, `plotter.flipfree.open(ct)` has seeds and corrections
+placed with the mouse.
 """
 
 from __future__ import annotations
@@ -29,15 +30,13 @@ from ._evaluate import evaluate as evaluate_segmentation
 from ._foreign import adopted
 from ._files import read_image
 from ._image import Image
-from ._picture import CONTOUR, FRAME, INK, VIEWS, Region
+from ._picture import CONTOUR, FRAME, INK, ORGAN, VIEWS, Region
 from ._placing import Placing
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Surface
 from ._pyvista_views import add_contour, add_slice, look
 from ._types import PathName
 from ._vtk_objects import imagedata_of, polydata_of
-
-ORGAN = "#db6b54"
 
 
 def polydata(surface: Segmentation | Surface) -> pyvista.PolyData:

@@ -5,14 +5,15 @@
     found = flipfree.slicer.segment(volumeNode, seeds=roiNode, name="liver")
     questionsNode = flipfree.slicer.questions(found)
     flipfree.slicer.answer(questionsNode, 0, True, corrections=correctionsNode)
-    found = flipfree.slicer.segment(volumeNode, seeds=roiNode, name="liver", corrections=correctionsNode,
+    found = flipfree.slicer.segment(volumeNode, seeds=roiNode, name="liver",
+                                    corrections=correctionsNode,
                                     segmentationNode=found.segmentationNode)
     flipfree.slicer.undo(found.segmentationNode)
 
-Points are taken from where they are in the world, through all transforms of their node and of the volume;
-a segmentation is under the volume's own transform. Nodes are RAS, as always in 3D Slicer, results are
-LPS, as always in this package, in the volume's own space. It runs in 3D Slicer's Python and in any
-Python with `pip install slicer-core`.
+Points are taken from where they are in the world, through all transforms of their node and of the
+volume; a segmentation is under the volume's own transform. Nodes are RAS, as always in 3D Slicer,
+results are LPS, as always in this package, in the volume's own space. It runs in 3D Slicer's Python
+and in any Python with `pip install slicer-core`.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from ._errors import FileError, FlipFreeError
 from ._extras import missing
 from ._foreign import image_from_affine
 from ._image import Image
+from ._parameters import radius_of
 from ._point_files import arguments_of, read_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Surface, Vessel, surface_of_label
@@ -63,7 +65,7 @@ class Found:
     """A result and the segment that shows it."""
 
     result: Segmentation
-    """What flipfree.segment or flipfree.trace has returned, in LPS millimeters of the volume's own space."""
+    """What flipfree.segment or flipfree.trace has returned, in LPS mm of the volume's own space."""
 
     volumeNode: Any
     segmentationNode: Any
@@ -86,18 +88,19 @@ def segment(
     """Segments the organ around seeds; the segment of that name is replaced, or a new one is added.
 
     seeds
-        A markups ROI, whose greatest sphere is the seed; a line from the center of the seed to its rim; or
-        points, each the center of a sphere of `radius` mm, or of the radius in its label, `seed 12`.
+        A markups ROI, whose greatest sphere is the seed; a line from the center of the seed to its
+        rim; or points, each the center of a sphere of `radius` mm, or of the radius in its label,
+        `seed 12`.
     segmentationNode
         Where the segment goes; a new node unless given. It has to be under the volume's transform.
     corrections
-        A markups node, or several, of points whose labels begin with inside, outside, boundary, or with seed
-        and a radius: so do those of lists that have these names.
+        A markups node, or several, of points whose labels begin with inside, outside, boundary, or
+        with seed and a radius: so do those of lists that have these names.
     name, color
         Of the segment; color is red, green and blue, 0 to 1. A segment that is there keeps its own.
 
-    The segment's closed surface is the result's, not one that 3D Slicer makes of the label map. The other
-    parameters are those of flipfree.segment. undo() takes the step back.
+    The segment's closed surface is the result's, not one that 3D Slicer makes of the label map. The
+    other parameters are those of flipfree.segment. undo() takes the step back.
     """
     _require_same_transform(volumeNode, segmentationNode)
     spheres = _spheres_of(volumeNode, seeds, radius)
@@ -121,14 +124,17 @@ def trace(
 ) -> Found:
     """Segments a vessel between the control points of a markups node, such as a list or a curve.
 
-    The centerline becomes a model of the name with ` centerline`, new or there already. All else is as in
-    segment(); the other parameters are those of flipfree.trace.
+    The centerline becomes a model of the name with ` centerline`, new or there already, which
+    undo() leaves as it is. Nodes are as in segment(); the other parameters are those of
+    flipfree.trace.
     """
     _require_same_transform(volumeNode, segmentationNode)
     places = [place for _, place in _controls_of(volumeNode, "points", points)]
     kinds = arguments_of(_constraints_of(volumeNode, corrections))
     if kinds.pop("seeds"):
-        raise ValueError("corrections: a seed is of no use to a vessel; add a point along it to points")
+        raise ValueError(
+            "corrections: a seed is of no use to a vessel; add a point along it to points"
+        )
     result = trace_vessel(_image_of(volumeNode), places, **kinds, **parameters)
     node, identifier = _shown(volumeNode, segmentationNode, result, name, color)
     return Found(result, volumeNode, node, identifier, _centerline_of(volumeNode, result, name))
@@ -137,8 +143,9 @@ def trace(
 def surfaces(segmentationNode: Any, **parameters: Any) -> LabelSurfaces:
     """Makes a closed surface of each segment; two segments have one wall between them.
 
-    They take the place of the surfaces that 3D Slicer makes. The labels of the answer, in LPS, are the numbers
-    of the segments, from 1 on. Segments must not overlap. The parameters are those of flipfree.surfaces.
+    They take the place of the surfaces that 3D Slicer makes. The labels of the answer, in LPS, are
+    the numbers of the segments, from 1 on. Segments must not overlap. The parameters are those of
+    flipfree.surfaces.
     """
     segmentation = segmentationNode.GetSegmentation()
     _require_apart(segmentationNode)
@@ -152,7 +159,9 @@ def surfaces(segmentationNode: Any, **parameters: Any) -> LabelSurfaces:
     if not names or not segmentationNode.GenerateMergedLabelmapForAllSegments(
         merged, effective, None, identifiers, values
     ):
-        raise FlipFreeError(f"segmentationNode: '{segmentationNode.GetName()}' has no segment with voxels")
+        raise FlipFreeError(
+            f"segmentationNode: '{segmentationNode.GetName()}' has no segment with voxels"
+        )
     matrix = vtkMatrix4x4()
     merged.GetImageToWorldMatrix(matrix)
     labels = replace(_image_at("segmentationNode", merged, matrix), names=names)
@@ -168,9 +177,10 @@ def surfaces(segmentationNode: Any, **parameters: Any) -> LabelSurfaces:
 
 
 def questions(found: Found, markupsNode: Any = None) -> Any:
-    """The questions of a result as a list of points, a new one unless given, whose points are replaced.
+    """The questions of a result as a list of points: a new one, or that given, emptied.
 
-    A label says how large the part is and whether it is in, a description asks, in RAS. answer() answers one.
+    A label says how large the part is and whether it is in, a description asks, in RAS. answer()
+    answers one.
     """
     scene = found.volumeNode.GetScene()
     node = markupsNode or scene.AddNewNodeByClass("vtkMRMLMarkupsFiducialNode", "questions")
@@ -186,18 +196,20 @@ def questions(found: Found, markupsNode: Any = None) -> Any:
 
 
 def answer(questionsNode: Any, number: int, yes: bool, corrections: Any) -> None:
-    """Yes, it is a part of the organ, or no: the question, from 0 on, becomes a correction of that kind.
+    """Yes, it is a part of the organ, or no: the question, from 0 on, becomes a correction.
 
-    segment() with these corrections gives the segmentation with the answer; to take it back, remove the point.
+    segment() with these corrections gives the segmentation with the answer; to take it back, remove
+    the point.
     """
-    if number not in range(questionsNode.GetNumberOfControlPoints()):
-        raise ValueError(
-            f"number: there is no question {number!r}; there are {questionsNode.GetNumberOfControlPoints()}"
-        )
+    count = questionsNode.GetNumberOfControlPoints()
+    if number not in range(count):
+        raise ValueError(f"number: there is no question {number!r}; there are {count}")
     place = [0.0] * 3
     questionsNode.GetNthControlPointPositionWorld(number, place)
     index = corrections.AddControlPointWorld(place, "inside" if yes else "outside")
-    corrections.SetNthControlPointDescription(index, questionsNode.GetNthControlPointDescription(number))
+    corrections.SetNthControlPointDescription(
+        index, questionsNode.GetNthControlPointDescription(number)
+    )
     questionsNode.RemoveNthControlPoint(number)
 
 
@@ -219,8 +231,8 @@ def _image_of(volumeNode: Any) -> Image:
         raise ValueError(f"volumeNode: '{volumeNode.GetName()}' has no voxels; load a volume")
     if data.GetNumberOfScalarComponents() != 1:
         raise ValueError(
-            f"volumeNode: '{volumeNode.GetName()}' has {data.GetNumberOfScalarComponents()} components; "
-            "a scalar volume is needed (Vector to Scalar Volume makes one)"
+            f"volumeNode: '{volumeNode.GetName()}' has {data.GetNumberOfScalarComponents()} "
+            "components; a scalar volume is needed (Vector to Scalar Volume makes one)"
         )
     return _image_at("volumeNode", data, _matrix_of(volumeNode))
 
@@ -232,7 +244,7 @@ def _matrix_of(volumeNode: Any) -> Any:
 
 
 def _image_at(name: str, data: Any, matrix: Any) -> Image:
-    """The voxels of a vtkImageData, whose indices the matrix takes to RAS; the first need not be 0."""
+    """The voxels of a vtkImageData; the matrix takes indices, whose first need not be 0, to RAS."""
     import numpy
 
     affine = numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
@@ -258,8 +270,8 @@ def _require_apart(segmentationNode: Any) -> None:
     copy.CollapseBinaryLabelmaps(False)
     if copy.GetNumberOfLayers(BINARY_LABELMAP) > 1:
         raise FlipFreeError(
-            f"segmentationNode: segments of '{segmentationNode.GetName()}' overlap, or differ in their "
-            "grids; subtract one from the other (Segment Editor > Logical operators)"
+            f"segmentationNode: segments of '{segmentationNode.GetName()}' overlap, or differ in "
+            "their grids; subtract one from the other (Segment Editor > Logical operators)"
         )
 
 
@@ -270,12 +282,16 @@ def _in_volume(volumeNode: Any, world: Sequence[float]) -> tuple[float, ...]:
     return tuple(swap_lps_ras(place))
 
 
+def _require_markups(name: str, node: Any) -> None:
+    if not hasattr(node, "GetNthControlPointPositionWorld"):
+        raise TypeError(f"{name}: a markups node is needed, not {node!r:.80}")
+
+
 def _controls_of(
     volumeNode: Any, name: str, markupsNode: Any
 ) -> list[tuple[str, tuple[float, ...]]]:
     """Labels and places of the control points that have been placed."""
-    if not hasattr(markupsNode, "GetNthControlPointPositionWorld"):
-        raise TypeError(f"{name}: a markups node is needed, not {markupsNode!r:.80}")
+    _require_markups(name, markupsNode)
     controls = []
     for index in range(markupsNode.GetNumberOfControlPoints()):
         if markupsNode.GetNthControlPointPositionStatus(index) == markupsNode.PositionDefined:
@@ -292,7 +308,8 @@ def _spheres_of(
     """Centers and radii, in the volume's own space."""
     import math
 
-    if seeds is not None and seeds.IsA("vtkMRMLMarkupsROINode"):
+    _require_markups("seeds", seeds)
+    if seeds.IsA("vtkMRMLMarkupsROINode"):
         rims, center, sizes = [], [0.0] * 3, [0.0] * 3
         seeds.GetCenterWorld(center)
         seeds.GetSizeWorld(sizes)
@@ -310,10 +327,12 @@ def _spheres_of(
         return [(middle, math.dist(middle, rim))]
     labels = [label for label, _ in controls]
     if radius is not None:
-        labels = [label if label.startswith("seed ") else f"seed {radius!r}" for label in labels]
+        size = radius_of("radius", radius)
+        labels = [label if label.startswith("seed ") else f"seed {size!r}" for label in labels]
     elif not all(label.startswith("seed ") for label in labels):
         raise TypeError(
-            "radius: it is needed for seeds that are points, in mm; or label each 'seed 12', or place an ROI"
+            "radius: it is needed for seeds that are points, in mm; or label each 'seed 12', "
+            "or place an ROI"
         )
     places = [place for _, place in controls]
     return [(one.place, one.radius) for one in _parsed(seeds.GetName(), zip(labels, places))]
@@ -343,7 +362,11 @@ def _parsed(name: str, controls: Iterable[tuple[str, tuple[float, ...]]]) -> lis
 
 
 def _shown(
-    volumeNode: Any, segmentationNode: Any, result: Segmentation, name: str, color: Sequence[float] | None
+    volumeNode: Any,
+    segmentationNode: Any,
+    result: Segmentation,
+    name: str,
+    color: Sequence[float] | None,
 ) -> tuple[Any, str]:
     """The segmentation node, and the identifier of the segment that has the result now."""
     node = segmentationNode or volumeNode.GetScene().AddNewNodeByClass(
@@ -355,10 +378,12 @@ def _shown(
         parent = volumeNode.GetParentTransformNode()
         node.SetAndObserveTransformNodeID(parent.GetID() if parent else None)
     _save_state(node)
-    labels = _oriented(result.label_map, _matrix_of(volumeNode))
+    labels = _oriented(result.label_map, volumeNode)
     identifier: str = segmentation.GetSegmentIdBySegmentName(name)
     if identifier:
-        slicer.vtkSlicerSegmentationsModuleLogic.SetBinaryLabelmapToSegment(labels, node, identifier)
+        slicer.vtkSlicerSegmentationsModuleLogic.SetBinaryLabelmapToSegment(
+            labels, node, identifier
+        )
     else:
         next_color = COLORS[segmentation.GetNumberOfSegments() % len(COLORS)]
         default = [int(next_color[at : at + 2], 16) / 255 for at in (1, 3, 5)]
@@ -368,10 +393,11 @@ def _shown(
     return node, identifier
 
 
-def _oriented(labels: Image, matrix: Any) -> Any:
+def _oriented(labels: Image, volumeNode: Any) -> Any:
+    """With the volume's indices, of which the first need not be 0."""
     image = slicer.vtkOrientedImageData()
-    image.SetDimensions(*labels.voxels.shape[::-1])
-    image.SetImageToWorldMatrix(matrix)
+    image.SetExtent(volumeNode.GetImageData().GetExtent())
+    image.SetImageToWorldMatrix(_matrix_of(volumeNode))
     image.GetPointData().SetScalars(numpy_to_vtk(labels.voxels.ravel(), deep=True))
     return image
 
@@ -384,7 +410,9 @@ def _in_ras(mesh: Surface) -> Any:
 def _centerline_of(volumeNode: Any, vessel: Vessel, name: str) -> Any:
     scene = volumeNode.GetScene()
     name = f"{name} centerline"
-    node = scene.GetFirstNode(name, "vtkMRMLModelNode") or scene.AddNewNodeByClass("vtkMRMLModelNode", name)
+    node = scene.GetFirstNode(name, "vtkMRMLModelNode") or scene.AddNewNodeByClass(
+        "vtkMRMLModelNode", name
+    )
     branches = [{**branch, "points": branch["points"] * SIGNS} for branch in vessel.branches]
     node.SetAndObservePolyData(polylines_of(branches))
     parent = volumeNode.GetParentTransformNode()
