@@ -3,12 +3,12 @@
 #include "Volume.h"
 #include "VoxelArrays.h"
 
+#include "Error.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/SurfaceBytes.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
 #include "Exchange/VtpBytes.h"
-#include "Error.h"
 #include "Mesh/ContourMesh.h"
 #include "MessageText.h"
 
