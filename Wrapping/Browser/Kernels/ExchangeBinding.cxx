@@ -3,7 +3,6 @@
 #include "Volume.h"
 #include "VoxelArrays.h"
 
-#include "Error.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/SurfaceBytes.h"
 #include "Exchange/VolumeFileHeader.h"
@@ -15,6 +14,7 @@
 #include <emscripten/bind.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -158,8 +158,8 @@ val SurfaceFile(const val& result, const std::string& format, const std::string&
       const auto comments = emscripten::vecFromJSArray<std::string>(result["comments"]);
       if (format != "stl" && format != "ply")
       {
-        throw Error(
-          "There is no surface file of the format " + Quoted(format) + ". Use vtp, stl or ply.");
+        throw std::invalid_argument(
+          "no surface is written as " + Quoted(format) + "; use vtp, stl or ply");
       }
       const auto bytes = format == "stl" ? &StlBytes : &PlyBytes;
       return AnswerOfBytes(bytes(surface.Points, Triangulate(surface.Faces), comments));
