@@ -33,7 +33,6 @@
 #include <fstream>
 #include <functional>
 #include <new>
-#include <sstream>
 
 namespace Command
 {

@@ -151,6 +151,16 @@ nb::bytes BytesOf(const std::string& bytes)
   return nb::bytes(bytes.data(), bytes.size());
 }
 
+/// By a format of triangles.
+template <std::string (
+  *Bytes)(const PointView&, const TriangleView&, const std::vector<std::string>&)>
+nb::bytes BytesOfTriangles(const Rows3& points, const Triangles& triangles,
+  const std::vector<std::string>& comments)
+{
+  RequireValid(points, FlipFree::FacesOf(TrianglesOf(triangles)));
+  return BytesOf(Bytes(PointsOf(points), TrianglesOf(triangles), comments));
+}
+
 VtpArray VtpArrayOf(const std::string& name, const Column& column)
 {
   const nb::dlpack::dtype type = column.dtype();
@@ -208,18 +218,8 @@ void BindExchange(nb::module_& module)
   module.def("read_polygons", &PolygonsIn);
   module.def("validate_vtp",
     [](const std::string& name, const nb::bytes& bytes) { ValidateVtp(name, TextOf(bytes)); });
-  module.def("stl_bytes",
-    [](const Rows3& points, const Triangles& triangles, const std::vector<std::string>& comments)
-    {
-      RequireValid(points, FlipFree::FacesOf(TrianglesOf(triangles)));
-      return BytesOf(StlBytes(PointsOf(points), TrianglesOf(triangles), comments));
-    });
-  module.def("ply_bytes",
-    [](const Rows3& points, const Triangles& triangles, const std::vector<std::string>& comments)
-    {
-      RequireValid(points, FlipFree::FacesOf(TrianglesOf(triangles)));
-      return BytesOf(PlyBytes(PointsOf(points), TrianglesOf(triangles), comments));
-    });
+  module.def("stl_bytes", &BytesOfTriangles<StlBytes>);
+  module.def("ply_bytes", &BytesOfTriangles<PlyBytes>);
   module.def("obj_bytes",
     [](const Rows3& points, const Indices& corners, const Indices& offsets,
       const std::vector<std::string>& comments)
