@@ -22,7 +22,7 @@ WITHIN_VIEW = (800, 500)  # in a window of this size
 
 def is_near_seed(place):
     """Beside the middle of the slices, where the pointer is."""
-    return math.dist(place, (99.75, 83.75, 167)) < 14
+    return math.dist(place, (99, 84.5, 168.5)) < 14
 
 
 class Window(unittest.TestCase):
@@ -120,7 +120,7 @@ class Window(unittest.TestCase):
     def test_place_apply_undo(self):
         self.add_filter(["f", "l", "i", "p", "space", "s", "e", "g"])  # "flip" alone is the organ group first
         self.desk.move(self.middle[0] + 1, self.middle[1])
-        self.wait_for_state(center=[164.25, 126.75, 133.5], points=0)  # the image's middle
+        self.wait_for_state(center=[163.5, 127.5, 135], points=0)  # the image's middle
         self.wait_for(self.is_placed, "the sphere's place")
         self.keep_picture("placed")
 
@@ -130,13 +130,13 @@ class Window(unittest.TestCase):
         self.keep_picture("applied")
 
         self.desk.key("z", "Control_L")
-        self.wait_for_state(center=[164.25, 126.75, 133.5], visible=["Axial", "Coronal"])
+        self.wait_for_state(center=[163.5, 127.5, 135], visible=["Axial", "Coronal"])
 
     def test_correct_by_a_handle(self):
         self.wait_for_state(point=[10, 10, 10], points=1536, label=0)
         # On the slice, in the liver, to the patient's right of the seed.
         self.desk.move(self.middle[0] - 60, self.middle[1] - 8)
-        self.wait_for(lambda: self.is_placed(lambda place: math.dist(place, (60, 83.75, 167)) < 14),
+        self.wait_for(lambda: self.is_placed(lambda place: math.dist(place, (60, 84.5, 168.5)) < 14),
                       "the point's place")
         self.keep_picture("point-placed")
         # Until it is applied, its place is the organ's.

@@ -4,6 +4,7 @@ stages chained by hand give the composite's surface."""
 import os
 import re
 import subprocess
+import tempfile
 
 import numpy
 import session
@@ -19,21 +20,30 @@ def command(*arguments):
 
 
 class AgainstTheCommand(session.SessionTest):
-    def setUp(self):
-        super().setUp()
-        seeds = command("phantom", "abdomen", "-o", self.folder)
-        liver = [float(value) for value in re.search(r"^liver.*--seed (\S+) (\S+) (\S+) --radius (\S+)", seeds,
-                                                     re.M).groups()]
-        self.assertEqual(liver, [*session.SEED, session.RADIUS])
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="flipfree-test-")
+        cls.addClassCleanup(folder.cleanup)
+        seeds = command("phantom", "abdomen", "-o", folder.name, "--size", *session.SIZE, "--spacing", *session.SPACING)
+        cls.liver = [float(value) for value in re.search(r"^liver.*--seed (\S+) (\S+) (\S+) --radius (\S+)", seeds,
+                                                         re.M).groups()]
+        cls.volume, cls.truth = (os.path.join(folder.name, name) for name in ("abdomen.nii.gz", "abdomen-truth.nii.gz"))
 
     def test_phantom(self):
+        self.assertEqual(self.liver, [*session.SEED, session.RADIUS])
         phantom = session.abdomen()
-        for port, name in enumerate(("abdomen", "abdomen-truth")):
+        for port, file in enumerate((self.volume, self.truth)):
+            self.assert_same(voxels(fetch(phantom, port)), voxels(fetch(simple.MedicalImageReader(FileName=file))))
+
+    def test_phantom_of_its_own_voxels(self):
+        command("phantom", "vessel", "-o", self.folder)
+        phantom = simple.SegmentationPhantom(Shape="Vessel")
+        for port, name in enumerate(("vessel", "vessel-truth")):
             read = fetch(simple.MedicalImageReader(FileName=self.file(name + ".nii.gz")))
             self.assert_same(voxels(fetch(phantom, port)), voxels(read))
 
     def test_segmentation(self):
-        volume = self.file("abdomen.nii.gz")
+        volume = self.volume
         surface, labels, table = self.file("liver.vtp"), self.file("liver.nii.gz"), self.file("liver.csv")
         command("segment", volume, "--seed", *session.SEED, "--radius", session.RADIUS, "-o", surface,
                 "--labels", labels, "--convergence", table)
@@ -53,7 +63,7 @@ class AgainstTheCommand(session.SessionTest):
         self.assertEqual(liver.StopReason, "converged")
 
     def test_corrections(self):
-        volume, surface, table = self.file("abdomen.nii.gz"), self.file("corrected.vtp"), self.file("points.csv")
+        volume, surface, table = self.volume, self.file("corrected.vtp"), self.file("points.csv")
         command("segment", volume, "--seed", *session.SEED, "--radius", session.RADIUS, "--resolution", 16,
                 "--outside", 60, 83, 167, "--inside", 150, 100, 170, "-o", surface)
         with open(table, "w", encoding="utf-8") as file:
@@ -65,11 +75,11 @@ class AgainstTheCommand(session.SessionTest):
         self.assert_same(points(fetch(liver)), points(fetch(simple.XMLPolyDataReader(FileName=[surface]))))
 
     def test_metrics(self):
-        truth = simple.MedicalImageReader(FileName=self.file("abdomen-truth.nii.gz"))
+        truth = simple.MedicalImageReader(FileName=self.truth)
         other = self.file("other.nii.gz")
-        made = session.segmentation(simple.MedicalImageReader(FileName=self.file("abdomen.nii.gz")), Resolution=16)
+        made = session.segmentation(simple.MedicalImageReader(FileName=self.volume), Resolution=16)
         simple.SaveData(other, proxy=simple.OutputPort(made, 1))
-        printed = command("evaluate", other, self.file("abdomen-truth.nii.gz"), "--reference-label", 6)
+        printed = command("evaluate", other, self.truth, "--reference-label", 6)
         metrics = simple.SegmentationMetrics(Input=simple.OutputPort(made, 1), Reference=truth, ReferenceLabel=6)
         table = fetch(metrics)
         dice = column(table, "Dice")[0]

@@ -18,7 +18,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NOTE = os.environ["FLIPFREE_GUI_NOTE"]
 SCENE = os.environ["FLIPFREE_GUI_SCENE"]
-CENTER = [99.75, 83.75, 167]
+# The abdomen as in session.py, and its liver.
+SIZE, SPACING = [110, 86, 46], [3, 3, 6]
+CENTER = [99, 84.5, 168.5]
 # The ends of the vessel phantom, as `flipfree phantom vessel` prints them; and how far the second one is to be moved
 # along the vessel, in points of the centerline, which are 1.5 mm apart.
 VESSEL = [13.3, 44.6, 44.5, 82, 50.4, 37.6]
@@ -109,7 +111,7 @@ def is_shown(source, port):
 
 def show_abdomen():
     example = importlib.machinery.SourceFileLoader("segment_organ", os.environ["FLIPFREE_GUI_EXAMPLE"]).load_module()
-    ct.Shape = "Abdomen"
+    ct.Shape, ct.Dimensions, ct.Spacing = "Abdomen", SIZE, SPACING
     ct.UpdatePipeline()
     example.show_slices(ct, CENTER, view)
     GetColorTransferFunction("Intensity").AutomaticRescaleRangeMode = "Never"

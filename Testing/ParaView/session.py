@@ -11,13 +11,17 @@ from paraview import servermanager
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# The liver of the abdomen phantom, as `flipfree phantom abdomen` prints it.
-SEED = [99.75, 83.75, 167]
+# Voxels twice as long as the phantom's own, as in Testing/Python/example.py: the phantom's own take four times as long,
+# in each process anew.
+SIZE = [110, 86, 46]
+SPACING = [3, 3, 6]
+# The liver, as `flipfree phantom abdomen` prints it for these voxels.
+SEED = [99, 84.5, 168.5]
 RADIUS = 28
 
 
 def abdomen():
-    return simple.SegmentationPhantom(Shape="Abdomen")
+    return simple.SegmentationPhantom(Shape="Abdomen", Dimensions=SIZE, Spacing=SPACING)
 
 
 def segmentation(image, **properties):
