@@ -1,6 +1,7 @@
 """Cohorts on Dask: a real scheduler with two worker processes on the loopback, and one of them killed."""
 
 import csv
+import functools
 import json
 import os
 import re
@@ -76,39 +77,45 @@ class CohortTest(unittest.TestCase):
                 if json.loads(path.read_text())["status"] == "done"}
 
 
-class SchedulerTest(CohortTest):
-    """On a scheduler that exists, with some workers, each minded by a process that starts it again."""
+WORKERS = 2
 
-    WORKERS = 1
+
+@functools.lru_cache(maxsize=None)
+def scheduler():
+    """The address of one for the whole file, with workers, each minded by a process that starts it again."""
+    folder = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(folder.cleanup)
+    address = Path(folder.name) / "scheduler.json"
+
+    def start(module, *arguments):
+        process = subprocess.Popen([sys.executable, "-m", f"distributed.cli.{module}", "--scheduler-file", address,
+                                    *arguments], cwd=folder.name, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        unittest.addModuleCleanup(process.wait)
+        unittest.addModuleCleanup(process.terminate)
+
+    start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+    for _ in range(WORKERS):
+        start("dask_worker", "--host", "127.0.0.1", "--nthreads", "1", "--no-dashboard", "--local-directory",
+              folder.name)
+    end = time.monotonic() + 120
+    while not address.exists() and time.monotonic() < end:
+        time.sleep(0.1)
+    found = json.loads(address.read_text())["address"]
+    with distributed.Client(found, set_as_default=False) as client:
+        client.wait_for_workers(WORKERS, timeout=120)
+    return found
+
+
+class SchedulerTest(CohortTest):
+    """On a scheduler that exists."""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        address = Path(folder.name) / "scheduler.json"
-
-        def start(module, *arguments):
-            process = subprocess.Popen([sys.executable, "-m", f"distributed.cli.{module}", "--scheduler-file", address,
-                                        *arguments], cwd=folder.name, stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.DEVNULL)
-            cls.addClassCleanup(process.wait)
-            cls.addClassCleanup(process.terminate)
-
-        start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
-        for _ in range(cls.WORKERS):
-            start("dask_worker", "--host", "127.0.0.1", "--nthreads", "1", "--no-dashboard", "--local-directory",
-                  folder.name)
-        end = time.monotonic() + 120
-        while not address.exists() and time.monotonic() < end:
-            time.sleep(0.1)
-        cls.address = json.loads(address.read_text())["address"]
-        with distributed.Client(cls.address, set_as_default=False) as client:
-            client.wait_for_workers(cls.WORKERS, timeout=120)
+        cls.address = scheduler()
 
 
 class Cluster(SchedulerTest):
-    WORKERS = 2
-
     def test_killed_worker(self):
         """Nothing is lost, and nothing that was done is done again."""
         rows = self.rows(4)
@@ -135,7 +142,7 @@ class Cluster(SchedulerTest):
         self.assertGreaterEqual(len(before), 1)
         self.assertEqual({name: after[name] for name in before}, before)
         with distributed.Client(self.address, set_as_default=False) as client:
-            client.wait_for_workers(self.WORKERS, timeout=60)
+            client.wait_for_workers(WORKERS, timeout=60)
             self.assertNotIn(killed["pid"], client.run(os.getpid).values())
 
     def test_only_what_has_changed_is_done_again(self):
@@ -157,6 +164,54 @@ class Cluster(SchedulerTest):
         self.assertNotEqual(again.rows[0]["segmented_ml"], first.rows[0]["segmented_ml"])
         self.assertRegex(str(again), r"^6 rows: 4 segmented, 2 kept, 0 failed; .*report\.html$")
         self.assertEqual(flipfree.cohort(rows, self.out, scheduler="tcp://nobody:1").kept, 6)  # there is nothing to do
+
+
+class Columns(SchedulerTest):
+    """What columns ask for, and what columns say."""
+
+    def test_series(self):
+        """The column chooses; a result says what was read, and a series of several volumes is refused."""
+        folder = self.folder / "dicom"
+        folder.mkdir()
+        ball = flipfree.phantom("sphere", **GRID)
+        first, second = "1.2.826.0.1.3680043.2.1143.81.1", "1.2.826.0.1.3680043.2.1143.81.2"
+        dicom.write_series(folder, ball.image.voxels, ball.image.spacing, ball.image.origin, first, "a")
+        dicom.write_series(folder, ball.image.voxels[1:-1] + 300, ball.image.spacing, ball.image.origin, second, "b")
+        twice = self.folder / "twice"
+        twice.mkdir()
+        for rows, prefix in ((-1, "a"), (-2, "b")):
+            dicom.write_series(twice, ball.image.voxels[:, :rows], ball.image.spacing, ball.image.origin, first, prefix)
+        (x, y, z), radius = ball.seeds[1]
+        row = {"volume": folder, "seed_x": x, "seed_y": y, "seed_z": z, "radius": radius, **COARSE}
+        rows = [{**row, "organ": "a"}, {**row, "organ": "b", "series": second}, {**row, "organ": "c", "series": "9.9"},
+                {**row, "organ": "d", "volume": twice}, {**row, "organ": "e", "volume": twice, "series": first + "#2"}]
+        cohort = flipfree.cohort(self.table(rows), self.out, scheduler=self.address)
+        self.assertEqual([row["series_read"] for row in cohort.rows], [first, second, None, None, first + "#2"])
+        self.assertRegex(cohort.rows[2]["message"], "^row 3, columns volume and series: .*holds no series '9.9'")
+        self.assertRegex(cohort.rows[3]["message"], f"^row 4, column volume: .*2 volumes: .*as the series, for instance {first}#1")
+        self.assertEqual(len(cohort.failed), 2)
+        self.assertEqual(flipfree.cohort(self.table(rows), self.out, scheduler=self.address).kept, 3)
+        record = json.loads((self.out / cohort.rows[1]["surface"]).parent.joinpath("row.json").read_text())
+        self.assertEqual(record["request"]["series"], second)
+        self.assertIn(f'"series":"{second}"'.encode(), (self.out / cohort.rows[1]["surface"]).read_bytes())
+
+    def test_questions(self):
+        """Their number, and the place of the first as the columns of points take it."""
+        voxels = numpy.frombuffer(lobed_ball.lobed_ball(4), numpy.int16).reshape(lobed_ball.SIZE[::-1])
+        flipfree.write_image(flipfree.image_from_array(voxels, lobed_ball.SPACING), self.folder / "lobed.nii.gz")
+        x, y, z = lobed_ball.SEED
+        row = {"case": "a", "volume": self.folder / "lobed.nii.gz", "seed_x": x, "seed_y": y, "seed_z": z,
+               "radius": lobed_ball.RADIUS, "resolution": 16}
+        asked = flipfree.cohort([row], self.out, scheduler=self.address).rows[0]
+        self.assertEqual((asked["status"], asked["questions"]), ("done", 1), asked["message"])
+        place = [float(word) for word in asked["first_question"].split()]
+        self.assertLess(numpy.abs(numpy.subtract(place, lobed_ball.LOBE)).max(), 8)
+        report = (self.out / "report.html").read_text(encoding="utf-8")
+        self.assertIn(f"<dt>questions</dt><dd>1, the first at {asked['first_question']} mm</dd>", report)
+        self.assertRegex(report, "(?s)a cohort of 1 row</title>.*<h1>1 row, 0 failed</h1>")
+        answered = flipfree.cohort([{**row, "inside": asked["first_question"]}], self.out, scheduler=self.address).rows[0]
+        self.assertEqual((answered["questions"], answered["first_question"]), (0, None))
+        self.assertGreater(answered["segmented_ml"], asked["segmented_ml"] + 20)
 
 
 class Local(CohortTest):
@@ -191,32 +246,6 @@ class Local(CohortTest):
         self.check_files(found, good)
         self.check_report(found)
 
-    def test_series(self):
-        """The column chooses; a result says what was read, and a series of several volumes is refused."""
-        folder = self.folder / "dicom"
-        folder.mkdir()
-        ball = flipfree.phantom("sphere", **GRID)
-        first, second = "1.2.826.0.1.3680043.2.1143.81.1", "1.2.826.0.1.3680043.2.1143.81.2"
-        dicom.write_series(folder, ball.image.voxels, ball.image.spacing, ball.image.origin, first, "a")
-        dicom.write_series(folder, ball.image.voxels[1:-1] + 300, ball.image.spacing, ball.image.origin, second, "b")
-        twice = self.folder / "twice"
-        twice.mkdir()
-        for rows, prefix in ((-1, "a"), (-2, "b")):
-            dicom.write_series(twice, ball.image.voxels[:, :rows], ball.image.spacing, ball.image.origin, first, prefix)
-        (x, y, z), radius = ball.seeds[1]
-        row = {"volume": folder, "seed_x": x, "seed_y": y, "seed_z": z, "radius": radius, **COARSE}
-        rows = [{**row, "organ": "a"}, {**row, "organ": "b", "series": second}, {**row, "organ": "c", "series": "9.9"},
-                {**row, "organ": "d", "volume": twice}, {**row, "organ": "e", "volume": twice, "series": first + "#2"}]
-        cohort = flipfree.cohort(self.table(rows), self.out, workers=1)
-        self.assertEqual([row["series_read"] for row in cohort.rows], [first, second, None, None, first + "#2"])
-        self.assertRegex(cohort.rows[2]["message"], "^row 3, columns volume and series: .*holds no series '9.9'")
-        self.assertRegex(cohort.rows[3]["message"], f"^row 4, column volume: .*2 volumes: .*as the series, for instance {first}#1")
-        self.assertEqual(len(cohort.failed), 2)
-        self.assertEqual(flipfree.cohort(self.table(rows), self.out, workers=1).kept, 3)
-        record = json.loads((self.out / cohort.rows[1]["surface"]).parent.joinpath("row.json").read_text())
-        self.assertEqual(record["request"]["series"], second)
-        self.assertIn(f'"series":"{second}"'.encode(), (self.out / cohort.rows[1]["surface"]).read_bytes())
-
     def test_the_table_is_not_overwritten(self):
         self.out.mkdir(parents=True, exist_ok=True)
         table = self.out / "cohort.csv"
@@ -225,24 +254,6 @@ class Local(CohortTest):
         self.assertEqual(process.returncode, 2)
         self.assertRegex(process.stderr, r"\Aflipfree: error: '.*cohort\.csv' is an input, which would be overwritten.*\n\Z")
         self.assertEqual(table.read_text(encoding="utf-8"), "volume\n")
-
-    def test_questions(self):
-        """Their number, and the place of the first as the columns of points take it."""
-        voxels = numpy.frombuffer(lobed_ball.lobed_ball(4), numpy.int16).reshape(lobed_ball.SIZE[::-1])
-        flipfree.write_image(flipfree.image_from_array(voxels, lobed_ball.SPACING), self.folder / "lobed.nii.gz")
-        x, y, z = lobed_ball.SEED
-        row = {"case": "a", "volume": self.folder / "lobed.nii.gz", "seed_x": x, "seed_y": y, "seed_z": z,
-               "radius": lobed_ball.RADIUS, "resolution": 16}
-        asked = flipfree.cohort([row], self.out, workers=1).rows[0]
-        self.assertEqual((asked["status"], asked["questions"]), ("done", 1), asked["message"])
-        place = [float(word) for word in asked["first_question"].split()]
-        self.assertLess(numpy.abs(numpy.subtract(place, lobed_ball.LOBE)).max(), 8)
-        report = (self.out / "report.html").read_text(encoding="utf-8")
-        self.assertIn(f"<dt>questions</dt><dd>1, the first at {asked['first_question']} mm</dd>", report)
-        self.assertRegex(report, "(?s)a cohort of 1 row</title>.*<h1>1 row, 0 failed</h1>")
-        answered = flipfree.cohort([{**row, "inside": asked["first_question"]}], self.out, workers=1).rows[0]
-        self.assertEqual((answered["questions"], answered["first_question"]), (0, None))
-        self.assertGreater(answered["segmented_ml"], asked["segmented_ml"] + 20)
 
     def check_files(self, found, good):
         """A row's surface and label map are those of segment()."""
