@@ -16,8 +16,9 @@ function (flipfree_add_unit_tests name)
   target_link_libraries(${name} PRIVATE ${_test_LIBRARIES} GTest::gtest GTest::gtest_main
     Threads::Threads FlipFreeWarnings)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Support")
-  # Three quarters of a test's compile time go into headers.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
+  # Three quarters of a test's compile time go into headers. Eight sources at a time, whatever the libraries' number is:
+  # tests' names are unique within their files only.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -Wno-subobject-linkage) # fixtures in anonymous namespaces
   endif ()
