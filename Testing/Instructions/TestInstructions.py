@@ -23,6 +23,7 @@ STAGES = {
     "mixture": "FitToSeed",
     "foreground": "OrganForeground::Update",
     "intensities again": "RefitToSurface",
+    "carving": "CarveOrgan",
     "normals": "VertexNormals",
     "correspondences": "FindCorrespondences",
     "outliers": "RejectOutliers",
