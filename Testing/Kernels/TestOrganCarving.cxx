@@ -405,7 +405,7 @@ TEST(OrganCarving, Stops)
     std::vector<DoubtfulPart> doubts;
     EXPECT_FALSE(CarveOrgan(
       image.View(), BitMask(leak.Geometry), nullptr, leak.Seed, 4, Modality::CT, SerialFor,
-      [&](double) { return asked++ < allowed; }, foreground, doubts));
+      [&](double) { return asked++ < allowed; }, foreground, &doubts));
     EXPECT_EQ(asked, allowed + 1);
   }
 }
@@ -419,7 +419,7 @@ TEST(OrganCarving, ReadsItsBoxOnly)
   std::vector<DoubtfulPart> doubts;
   BitMask expected;
   ASSERT_TRUE(CarveOrgan(image.View(), inside, nullptr, leak.Seed, 4, Modality::MR, SerialFor,
-    NeverStop, expected, doubts));
+    NeverStop, expected, &doubts));
   const VoxelBox box = CarvingBox(inside, leak.Seed);
   ForEachVoxel(leak.Geometry,
     [&](int i, int j, int k)
@@ -432,6 +432,6 @@ TEST(OrganCarving, ReadsItsBoxOnly)
     });
   BitMask found;
   ASSERT_TRUE(CarveOrgan(image.View(), inside, nullptr, leak.Seed, 4, Modality::MR, SerialFor,
-    NeverStop, found, doubts));
+    NeverStop, found, &doubts));
   EXPECT_EQ(found, expected);
 }

@@ -314,7 +314,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
     FurtherOpinions opinions;
     std::vector<DoubtfulPart> doubts;
     ASSERT_TRUE(CarveOrgan(image.View(), inside, &inside, organ.Seed, organ.Noise, Modality::MR,
-      SerialFor, NeverStop, expected, doubts));
+      SerialFor, NeverStop, expected, &doubts));
     std::vector<VoxelBox> boxes{ CarvingBox(inside, organ.Seed) };
     const bool doubtful = IsDoubtful(inside, expected);
     EXPECT_EQ(doubtful, radius > 21);

@@ -3,6 +3,7 @@
 #include "ExampleSurfaces.h"
 #include "Geometry/ClosestDirection.h"
 #include "Geometry/DistanceQuery.h"
+#include "Measures/SurfaceSamples.h"
 
 #include <gtest/gtest.h>
 
@@ -371,6 +372,24 @@ TEST(SurfaceDistance, OfASurfaceToItselfStopsNearTheEnd)
   }
 }
 
+// A surface with one vertex that is meters away is measured in seconds.
+TEST(SurfaceDistance, TakesNoMoreSamplesThanSuffice)
+{
+  const Surface box = Box({ 0, 0, 0 }, { 10, 20, 30 });
+  const auto samplesFor = [&](double spacing)
+  {
+    return static_cast<double>(
+      SurfaceSamples(box.Points, box.Triangles, spacing, "the box").Size());
+  };
+  // Few enough are taken as asked for: four times as many at half the distance.
+  EXPECT_NEAR(samplesFor(0.1) / samplesFor(0.2), 4, 0.1);
+  for (const double spacing : { 0.01, 1e-6 })
+  {
+    SCOPED_TRACE(spacing);
+    EXPECT_NEAR(samplesFor(spacing), 2e6, 2e4);
+  }
+}
+
 TEST(SurfaceDistance, RefusesBadInput)
 {
   const Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
@@ -385,7 +404,9 @@ TEST(SurfaceDistance, RefusesBadInput)
   flat.Points.setZero();
   EXPECT_NE(errorOf(box, flat, 1).find("no area"), std::string::npos);
   EXPECT_NE(errorOf(box, box, 0).find("sample spacing"), std::string::npos);
-  EXPECT_NE(errorOf(box, box, 1e-6).find("greater sample spacing"), std::string::npos);
+  Surface huge = box;
+  huge.Points *= 1e200;
+  EXPECT_NE(errorOf(box, huge, 1).find("the second surface is too large"), std::string::npos);
   Surface undefined = box;
   undefined.Points(3, 0) = std::numeric_limits<double>::infinity();
   EXPECT_NE(errorOf(box, undefined, 1).find("point 3 of the second surface"), std::string::npos);

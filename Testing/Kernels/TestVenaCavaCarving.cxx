@@ -58,7 +58,7 @@ BitMask Carved(const Abdomen& abdomen, const FloatImage& image, const BitMask& m
 {
   BitMask carved = mask;
   EXPECT_TRUE(CarveVenaCava(
-    image.View(), [](const VoxelBox&) { return true; }, {}, abdomen.Seed, modality, SerialFor,
+    image.View(), [](const VoxelBox&) { return true; }, abdomen.Seed, modality, SerialFor,
     NeverStop, carved));
   return carved;
 }
@@ -112,8 +112,8 @@ TEST(VenaCavaCarving, IsTheSameHoweverTheWorkIsDivided)
   const BitMask found = MaskOf(abdomen.Geometry, abdomen.Found);
   BitMask other = found;
   ASSERT_TRUE(CarveVenaCava(
-    image.View(), [](const VoxelBox&) { return true; }, {}, abdomen.Seed, Modality::CT,
-    ScatteredFor, NeverStop, other));
+    image.View(), [](const VoxelBox&) { return true; }, abdomen.Seed, Modality::CT, ScatteredFor,
+    NeverStop, other));
   EXPECT_EQ(other, Carved(abdomen, image, found));
 }
 
@@ -133,33 +133,6 @@ TEST(VenaCavaCarving, DoesNotDependOnHowTheImageIsStored)
   ForEachVoxel(abdomen.Geometry,
     [&](int i, int j, int k) { different += carved(i, j, k) != other(109 - i, 89 - j, 49 - k); });
   EXPECT_LE(different, 100U); // where a place is as near to one slice as to the next
-}
-
-// The inside of the surface tells of the vein, where the mask has lost it in part.
-TEST(VenaCavaCarving, FollowsTheInsideOfTheSurface)
-{
-  const Abdomen abdomen;
-  const FloatImage image = abdomen.Image();
-  const BitMask organ = MaskOf(abdomen.Geometry, abdomen.Organ);
-  std::vector<VoxelRun> inside;
-  MaskOf(abdomen.Geometry, abdomen.Found)
-    .ForEachRun(0, abdomen.Geometry.Dimensions[2],
-      [&inside](int begin, int end, int j, int k) {
-        inside.push_back({ j, k, begin, end });
-      });
-  const BitMask mask = MaskOf(abdomen.Geometry,
-    [&](const Eigen::Vector3d& point)
-    { return abdomen.Found(point) && (abdomen.Organ(point) || point.z() < 70); });
-  BitMask part = mask;
-  part.Remove(organ);
-  BitMask carved = mask;
-  ASSERT_TRUE(CarveVenaCava(
-    image.View(), [](const VoxelBox&) { return true; }, inside, abdomen.Seed, Modality::CT,
-    SerialFor, NeverStop, carved));
-  BitMask left = part;
-  left.Intersect(carved);
-  EXPECT_LT(left.Count(), 0.5 * static_cast<double>(part.Count()));
-  EXPECT_GT(carved.Count(), 0.98 * static_cast<double>(organ.Count()));
 }
 
 TEST(VenaCavaCarving, LeavesALiverWithoutAVein)
@@ -210,7 +183,7 @@ TEST(VenaCavaCarving, LeavesAMaskWithoutTheSeed)
   ExpectUntouched(abdomen);
 }
 
-// A lobe that hangs on to the rest by the vein alone is no part of it.
+// A lobe that hangs on to the rest by the vein alone is not lost with it.
 TEST(VenaCavaCarving, KeepsALobeBehindTheVein)
 {
   Abdomen abdomen;
@@ -220,7 +193,12 @@ TEST(VenaCavaCarving, KeepsALobeBehindTheVein)
     const bool isGap = point.x() > 155 && point.x() < 165 && std::abs(point.y() - 127) > 9;
     return liver(point) && !isGap;
   };
-  ExpectUntouched(abdomen);
+  const BitMask lobe = MaskOf(abdomen.Geometry,
+    [&](const Eigen::Vector3d& point) { return abdomen.Organ(point) && point.x() > 165; });
+  ASSERT_GT(lobe.Count(), 1000U);
+  BitMask lost = lobe;
+  lost.Remove(Carved(abdomen, abdomen.Image(), MaskOf(abdomen.Geometry, abdomen.Found)));
+  EXPECT_LT(lost.Count(), 0.15 * static_cast<double>(lobe.Count()));
 }
 
 TEST(VenaCavaCarving, LeavesMR)
@@ -273,7 +251,7 @@ TEST(VenaCavaCarving, ReadsOnlyWhatItAskedFor)
         asked = asked.Joined(box);
         return true;
       },
-      {}, abdomen.Seed, Modality::CT, SerialFor, NeverStop, mask);
+      abdomen.Seed, Modality::CT, SerialFor, NeverStop, mask);
   };
   BitMask mask = found;
   ASSERT_TRUE(carve(mask));
@@ -298,14 +276,14 @@ TEST(VenaCavaCarving, Stops)
   const BitMask found = MaskOf(abdomen.Geometry, abdomen.Found);
   BitMask mask = found;
   EXPECT_FALSE(CarveVenaCava(
-    image.View(), [](const VoxelBox&) { return false; }, {}, abdomen.Seed, Modality::CT, SerialFor,
+    image.View(), [](const VoxelBox&) { return false; }, abdomen.Seed, Modality::CT, SerialFor,
     NeverStop, mask));
   for (int allowed = 0; allowed < 2; ++allowed)
   {
     int asked = 0;
     mask = found;
     EXPECT_FALSE(CarveVenaCava(
-      image.View(), [](const VoxelBox&) { return true; }, {}, abdomen.Seed, Modality::CT, SerialFor,
+      image.View(), [](const VoxelBox&) { return true; }, abdomen.Seed, Modality::CT, SerialFor,
       [&](double) { return asked++ < allowed; }, mask));
     EXPECT_EQ(asked, allowed + 1);
   }

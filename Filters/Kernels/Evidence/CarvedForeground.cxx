@@ -5,6 +5,7 @@
 #include "Evidence/OrganConsensus.h"
 #include "Evidence/VenaCavaCarving.h"
 #include "Intensity/LeakControl.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 namespace FlipFree
 {
@@ -34,7 +35,7 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
         PartOf(monitor, 0.1, 0.2), carved.Candidate) ||
     !inputs.EnsureSmoothed(CarvingBox(carved.Candidate, seed)) ||
     !CarveOrgan(smooth, carved.Candidate, &enclosed, seed, inputs.Noise, settings.Modality,
-      parallelFor, PartOf(monitor, 0.2, 0.4), mask, report.Doubts))
+      parallelFor, PartOf(monitor, 0.2, 0.4), mask, &report.Doubts))
   {
     return false;
   }
@@ -48,7 +49,7 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
     return false;
   }
   BitMask removed = mask;
-  if (!CarveVenaCava(smooth, inputs.EnsureSmoothed, inside, seed, settings.Modality, parallelFor,
+  if (!CarveVenaCava(smooth, inputs.EnsureSmoothed, seed, settings.Modality, parallelFor,
         PartOf(monitor, 0.95, 1), mask) ||
     !CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, mask))
   {

@@ -74,10 +74,9 @@ bool CoarseOrgan::Grow(double mass, const Monitor& monitor, BitMask& carved) con
     return false;
   }
   carved = BitMask();
-  std::vector<DoubtfulPart> doubts; // of another organ than the one that was found
   return grown.Count() == 0 ||
     CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
-      this->Parallel, monitor, carved, doubts);
+      this->Parallel, monitor, carved, nullptr);
 }
 
 } // namespace FlipFree

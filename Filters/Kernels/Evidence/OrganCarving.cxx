@@ -14,6 +14,8 @@ namespace
 {
 
 constexpr int CarvingRounds = 2;
+// Of the candidate. Where the first cut takes less, a second one finds nothing.
+constexpr double LeastCut = 0.02;
 
 } // namespace
 
@@ -27,11 +29,12 @@ VoxelBox CarvingBox(const BitMask& candidate, const SeedSphere& seed)
 
 bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const BitMask* supported,
   const SeedSphere& seed, double noise, Modality modality, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground, std::vector<DoubtfulPart>& doubts)
+  const Monitor& monitor, BitMask& foreground, std::vector<DoubtfulPart>* doubts)
 {
   const VoxelBox box = CarvingBox(candidate, seed);
   BitMask mask = candidate.Cropped(box);
   OrganCutState state;
+  state.FindsDoubts = doubts != nullptr;
   if (supported)
   {
     state.Supported = supported->Cropped(box);
@@ -40,12 +43,15 @@ bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const 
   const ImagePart part{ smooth, box.Begin };
   double done = 0;
   const Monitor proceed = [&](double) { return monitor(done / (2 * CarvingRounds + 1)); };
-  for (int round = 0; round < CarvingRounds; ++round)
+  bool isDone = false;
+  for (int round = 0; round < CarvingRounds && !isDone; ++round)
   {
+    const auto before = static_cast<double>(mask.Count());
     if (!CutOrgan(part, seed, noise, modality, {}, parallelFor, proceed, mask, state))
     {
       return false;
     }
+    isDone = static_cast<double>(mask.Count()) > (1 - LeastCut) * before;
     state.Supported = BitMask(); // what is left is what the cut has chosen
     ++done;
     if (!GrowRim(part, noise, modality, parallelFor, proceed, mask))
@@ -58,7 +64,10 @@ bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const 
   {
     return false;
   }
-  doubts.insert(doubts.end(), state.Doubts.begin(), state.Doubts.end());
+  if (doubts)
+  {
+    doubts->insert(doubts->end(), state.Doubts.begin(), state.Doubts.end());
+  }
   foreground = BitMask(smooth.Geometry);
   foreground.Insert(mask, box.Begin);
   return true;

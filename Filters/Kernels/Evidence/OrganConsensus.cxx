@@ -142,9 +142,8 @@ private:
   std::optional<BitMask> Carve(const BitMask& candidate, const BitMask* supported)
   {
     BitMask carved;
-    std::vector<DoubtfulPart> doubts;
     if (!CarveOrgan(this->Image.View(), candidate, supported, this->Seed, this->Noise,
-          this->Settings.Modality, this->Parallel, this->Proceed(), carved, doubts))
+          this->Settings.Modality, this->Parallel, this->Proceed(), carved, nullptr))
     {
       return std::nullopt;
     }

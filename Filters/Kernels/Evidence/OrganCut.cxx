@@ -83,7 +83,8 @@ public:
     if (!parts.empty())
     {
       this->Propose(parts, cut);
-      if (!cut.Execute(this->Parallel, this->Ask) || !this->FindDoubts(parts, cut))
+      if (!cut.Execute(this->Parallel, this->Ask) ||
+        (this->State.FindsDoubts && !this->FindDoubts(parts, cut)))
       {
         return false;
       }
@@ -400,6 +401,7 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
   OrganCutState ofPart;
   ofPart.Supported = state.Supported.Cropped(box);
   ofPart.Own = state.Own.Cropped(box);
+  ofPart.FindsDoubts = state.FindsDoubts;
   Insert(VoxelsAround(part.GetGeometry(), seed), part);
   const std::vector<std::size_t> source =
     VoxelsAround(part.GetGeometry(), { seed.Center, settings.SourceRadius * seed.Radius });

@@ -57,6 +57,7 @@ struct OrganCutState
 {
   BitMask Supported; ///< what of the mask there is more evidence for; without a grid, all
   BitMask Own;       ///< parts that were found to be the organ's own, and stay so; may have no grid
+  bool FindsDoubts = true;
   std::vector<DoubtfulPart> Doubts; ///< what might have been decided otherwise
 };
 

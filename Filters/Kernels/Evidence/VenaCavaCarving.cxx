@@ -25,15 +25,15 @@ constexpr double ThickestSlices = 10; // mm; a vein cannot be followed through t
 constexpr double NearestCenter[] = { 0.2, -0.4, -1.9 };
 constexpr double FarthestCenter[] = { 1.05, 0.65, 1.9 };
 
-constexpr double GridStep = 2; // mm, within slices
+constexpr double GridStep = 3; // mm, within slices
 constexpr double SliceStep = 5;
-constexpr double Slope = 1.2;                 // the steepest
-constexpr float CostOfShift = 0.008F;         // per mm2 from slice to slice
-constexpr double VeinRadii[] = { 9, 11, 13 }; // mm
-constexpr double Wall = 1;
-constexpr double RimBegin = 2; // mm beyond the radius
-constexpr double RimEnd = 4;
-constexpr int Margin = 9; // of the grid, for the rim; steps
+constexpr double Slope = 1.2;         // the steepest
+constexpr double CostOfShift = 0.008; // per mm2 from slice to slice
+constexpr double VeinRadius = 12;     // mm, with its wall
+constexpr double DiskRadius = 9;
+constexpr double RimBegin = 13;
+constexpr double RimEnd = 15;
+constexpr int Margin = static_cast<int>(RimEnd / GridStep); // of the grid, for the rim; steps
 
 // HU. Darker and brighter gray values say no more; a difference says nothing, or all.
 constexpr float Darkest = -100;
@@ -49,8 +49,7 @@ constexpr float LeastRimInOrgan = 0.25F;
 // ones do not count, so that no other vessel wins by its length.
 constexpr float LeastAlone = 1;
 constexpr float MostAlone = 3.2F;
-constexpr double LeastInOrgan = 40; // mm
-
+constexpr double ShortestVein = 40; // mm, in the organ
 // In volumes of the vein: what else hangs on to the organ only by it is kept with it.
 constexpr double MostLost = 1.5;
 
@@ -63,300 +62,226 @@ ImageGeometry GridBeside(const BitMask& organ)
     [&sum](int begin, int end, int j, int k)
     { sum += (end - begin) * Eigen::Vector3d(0.5 * (begin + end - 1), j, k); });
   const Eigen::Vector3d center = geometry.ToPhysical(sum / static_cast<double>(organ.Count()));
-  const double radius = RadiusOf(organ, { center, 0 });
-  const Eigen::Vector3i margin(Margin, Margin, 0);
   ImageGeometry grid;
   grid.Spacing = { GridStep, GridStep, SliceStep };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double unit = radius / grid.Spacing[axis];
-    const double first = std::ceil(NearestCenter[axis] * unit) - margin[axis];
-    grid.Origin[axis] = center[axis] + first * grid.Spacing[axis];
-    grid.Dimensions[axis] =
-      static_cast<int>(FarthestCenter[axis] * unit - first) + margin[axis] + 1;
-  }
+  const Eigen::Array3d unit = RadiusOf(organ, { center, 0 }) / grid.Spacing.array();
+  const Eigen::Array3d margin(Margin, Margin, 0);
+  const Eigen::Array3d first =
+    (Eigen::Map<const Eigen::Array3d>(NearestCenter) * unit).ceil() - margin;
+  const Eigen::Array3d size =
+    (Eigen::Map<const Eigen::Array3d>(FarthestCenter) * unit - first).floor() + margin + 1;
+  grid.Origin = center.array() + first * grid.Spacing.array();
+  Eigen::Map<Eigen::Array3i>(grid.Dimensions.data()) = size.cast<int>();
   return grid;
 }
 
 VoxelBox BoxOf(const ImageGeometry& grid, const ImageGeometry& geometry)
 {
-  PointList corners(8, 3);
-  for (int corner = 0; corner < 8; ++corner)
+  PointList ends(8, 3);
+  for (int end = 0; end < 8; ++end)
   {
-    corners.row(corner) = grid.ToPhysical(Eigen::Vector3d((corner & 1) * (grid.Dimensions[0] - 1),
-      (corner >> 1 & 1) * (grid.Dimensions[1] - 1), (corner >> 2) * (grid.Dimensions[2] - 1)));
+    ends.row(end) = grid.ToPhysical(Eigen::Vector3d((end & 1) * (grid.Dimensions[0] - 1),
+      (end >> 1 & 1) * (grid.Dimensions[1] - 1), (end >> 2) * (grid.Dimensions[2] - 1)));
   }
-  return BoxAroundPoints(geometry, corners, 0);
+  return BoxAroundPoints(geometry, ends, 0);
 }
 
-// A cross-section that the vein may have.
-struct Disk
+// Of the nearest voxels to the places of a grid.
+struct GridVoxels
 {
-  Eigen::Vector3d Center = Eigen::Vector3d::Zero();
-  double Radius = 0;
-  float Evidence = -1;
-  bool IsInOrgan = false; // half of it
-};
-
-// Of disks of one radius: steps of the grid from the center.
-struct DiskSamples
-{
-  double Radius;
-  std::vector<std::ptrdiff_t> Inside;
-  std::vector<std::ptrdiff_t> Rim;
-
-  DiskSamples(double radius, std::ptrdiff_t row)
-    : Radius(radius)
-  {
-    for (int j = -Margin; j <= Margin; ++j)
-    {
-      for (int i = -Margin; i <= Margin; ++i)
-      {
-        const double length = GridStep * std::hypot(i, j);
-        if (length < radius - RimBegin)
-        {
-          this->Inside.push_back(i + row * j);
-        }
-        else if (length >= radius + RimBegin && length <= radius + RimEnd)
-        {
-          this->Rim.push_back(i + row * j);
-        }
-      }
-    }
-  }
-};
-
-// The best disks around the grid's places, in the slices of the grid.
-class DiskSearch
-{
-public:
-  DiskSearch(const ImageView<float>& image, const BitMask& organ, const ImageGeometry& grid)
-    : Image(image)
-    , Organ(organ)
-    , Grid(grid)
-    , Gray(grid.NumberOfVoxels(), Darkest)
-    , Covered(Gray.size(), 0)
-    , Disks(Gray.size())
-  {
-    for (const double radius : VeinRadii)
-    {
-      this->Samples.emplace_back(radius, grid.Dimensions[0]);
-    }
-  }
-
-  std::vector<Disk> Execute(const ParallelFor& parallelFor)
-  {
-    for (const auto visit : { &DiskSearch::Read, &DiskSearch::Measure })
-    {
-      parallelFor(0, this->Grid.Dimensions[2],
-        [&](std::ptrdiff_t first, std::ptrdiff_t last)
-        {
-          const std::size_t perSlice = this->Gray.size() / this->Grid.Dimensions[2];
-          for (std::size_t place = first * perSlice; place < last * perSlice; ++place)
-          {
-            (this->*visit)(place);
-          }
-        });
-    }
-    return std::move(this->Disks);
-  }
-
-private:
-  // By the nearest voxel.
-  void Read(std::size_t place)
-  {
-    Disk& disk = this->Disks[place];
-    disk.Center = CenterOf(place, this->Grid);
-    const ImageGeometry& geometry = this->Image.Geometry;
-    const Eigen::Array3i voxel = geometry.ToIndex(disk.Center).array().round().cast<int>();
-    if (geometry.Contains(voxel[0], voxel[1], voxel[2]))
-    {
-      const float value = this->Image(voxel[0], voxel[1], voxel[2]);
-      this->Gray[place] = HasData(value) ? std::clamp(value, Darkest, Brightest) : Darkest;
-      this->Covered[place] = this->Organ(voxel[0], voxel[1], voxel[2]) ? 1 : 0;
-    }
-  }
-
-  void Measure(std::size_t place)
-  {
-    const auto [i, j, k] = IndexOf(place, this->Grid);
-    if (std::min(i, j) < Margin || i + Margin >= this->Grid.Dimensions[0] ||
-      j + Margin >= this->Grid.Dimensions[1])
-    {
-      return;
-    }
-    Disk& disk = this->Disks[place];
-    for (const DiskSamples& samples : this->Samples)
-    {
-      std::vector<float> values;
-      std::size_t covered = 0;
-      for (const std::ptrdiff_t step : samples.Inside)
-      {
-        values.push_back(this->Gray[place + step]);
-        covered += this->Covered[place + step];
-      }
-      const bool isInOrgan = 2 * covered >= values.size();
-      const float value = TakeQuantile(values, 0.5);
-      // How much of a region is darker than the disk.
-      const auto darker = [&](const std::vector<std::ptrdiff_t>& steps)
-      {
-        float sum = 0;
-        for (const std::ptrdiff_t step : steps)
-        {
-          const float difference = value - this->Gray[place + step];
-          sum += std::clamp((difference - NoEdge) / (ClearEdge - NoEdge), 0.0F, 1.0F);
-        }
-        return sum / static_cast<float>(steps.size());
-      };
-      const float evidence = darker(samples.Rim) - darker(samples.Inside) -
-        (isInOrgan ? LeastRimInOrgan : LeastRimOutside);
-      if (evidence > disk.Evidence)
-      {
-        disk = { disk.Center, samples.Radius, evidence, isInOrgan };
-      }
-    }
-  }
-
-  const ImageView<float>& Image;
-  const BitMask& Organ;
-  const ImageGeometry& Grid;
-  std::vector<DiskSamples> Samples;
   std::vector<float> Gray;
-  std::vector<unsigned char> Covered; // by the organ
-  std::vector<Disk> Disks;
+  std::vector<unsigned char> IsInOrgan;
+
+  GridVoxels(const ImageView<float>& image, const BitMask& organ, const ImageGeometry& grid)
+    : Gray(grid.NumberOfVoxels(), Darkest)
+    , IsInOrgan(Gray.size(), 0)
+  {
+    for (std::size_t place = 0; place < this->Gray.size(); ++place)
+    {
+      const Eigen::Array3i voxel =
+        image.Geometry.ToIndex(CenterOf(place, grid)).array().round().cast<int>();
+      if (image.Geometry.Contains(voxel[0], voxel[1], voxel[2]))
+      {
+        const float value = image(voxel[0], voxel[1], voxel[2]);
+        this->Gray[place] = HasData(value) ? std::clamp(value, Darkest, Brightest) : Darkest;
+        this->IsInOrgan[place] = organ(voxel[0], voxel[1], voxel[2]) ? 1 : 0;
+      }
+    }
+  }
 };
 
-// The best chain of disks, by dynamic programming.
-class VeinSearch
+// Cross-sections that the vein may have, around the places of a grid.
+struct Disks
+{
+  std::vector<float> Evidence;          // how much of its rim is darker
+  std::vector<unsigned char> IsInOrgan; // half of it
+};
+
+Disks FindDisks(const GridVoxels& voxels, const ImageGeometry& grid, const ParallelFor& parallelFor)
+{
+  std::vector<std::ptrdiff_t> inside; // steps from the center
+  std::vector<std::ptrdiff_t> rim;
+  for (int j = -Margin; j <= Margin; ++j)
+  {
+    for (int i = -Margin; i <= Margin; ++i)
+    {
+      const double length = GridStep * std::hypot(i, j);
+      const std::ptrdiff_t step = i + j * StepsOf(grid)[1];
+      if (length < DiskRadius)
+      {
+        inside.push_back(step);
+      }
+      else if (length >= RimBegin && length <= RimEnd)
+      {
+        rim.push_back(step);
+      }
+    }
+  }
+  Disks disks{ std::vector<float>(grid.NumberOfVoxels(), -1), voxels.IsInOrgan };
+  const auto measure = [&](std::ptrdiff_t place)
+  {
+    std::vector<float> values;
+    std::size_t inOrgan = 0;
+    for (const std::ptrdiff_t step : inside)
+    {
+      values.push_back(voxels.Gray[place + step]);
+      inOrgan += voxels.IsInOrgan[place + step];
+    }
+    const float value = TakeQuantile(values, 0.5);
+    const auto darker = [&](const std::vector<std::ptrdiff_t>& steps)
+    {
+      float sum = 0;
+      for (const std::ptrdiff_t step : steps)
+      {
+        const float difference = value - voxels.Gray[place + step];
+        sum += std::clamp((difference - NoEdge) / (ClearEdge - NoEdge), 0.0F, 1.0F);
+      }
+      return sum / static_cast<float>(steps.size());
+    };
+    const bool isInOrgan = 2 * inOrgan >= inside.size();
+    disks.IsInOrgan[place] = isInOrgan ? 1 : 0;
+    disks.Evidence[place] =
+      darker(rim) - darker(inside) - (isInOrgan ? LeastRimInOrgan : LeastRimOutside);
+  };
+  parallelFor(0, grid.Dimensions[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (auto k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = Margin; j < grid.Dimensions[1] - Margin; ++j)
+        {
+          for (int i = Margin; i < grid.Dimensions[0] - Margin; ++i)
+          {
+            measure(static_cast<std::ptrdiff_t>(grid.Offset(i, j, k)));
+          }
+        }
+      }
+    });
+  return disks;
+}
+
+// By dynamic programming: the best chain of disks, one in each slice, that ends in each disk.
+class Chains
 {
 public:
-  VeinSearch(const ImageGeometry& grid, const std::vector<Disk>& disks)
-    : Disks(disks)
-    , Count(static_cast<std::ptrdiff_t>(disks.size()))
-    , PerSlice(Count / grid.Dimensions[2])
+  std::vector<float> Scores;
+  std::vector<std::ptrdiff_t> From; // the disk before
+
+  // Up or down (-1), through disks in the organ or through the others. Chains begin anywhere, and
+  // where those that have the scores end.
+  Chains(const Disks& disks, const ImageGeometry& grid, int direction, bool inOrgan,
+    const std::vector<float>& scores)
+    : Scores(scores)
+    , From(scores.size(), -1)
+    , Steps(StepsOf(grid))
   {
-    const int most = static_cast<int>(Slope * SliceStep / GridStep);
-    for (int j = -most; j <= most; ++j)
+    const auto count = static_cast<std::ptrdiff_t>(scores.size());
+    for (std::ptrdiff_t step = 0; step < count; ++step)
     {
-      for (int i = -most; i <= most; ++i)
+      const std::ptrdiff_t disk = direction > 0 ? step : count - 1 - step;
+      if (disks.Evidence[disk] > -1 && (disks.IsInOrgan[disk] != 0) == inOrgan)
       {
-        const int square = i * i + j * j;
-        if (square <= most * most)
-        {
-          this->Moves.emplace_back(i + static_cast<std::ptrdiff_t>(grid.Dimensions[0]) * j,
-            CostOfShift * static_cast<float>(GridStep * GridStep * square));
-        }
+        const auto [before, other] = this->Best(disk - direction * this->Steps[2]);
+        const float score = before + disks.Evidence[disk];
+        this->Scores[disk] = inOrgan ? score : std::clamp(score, 0.0F, MostAlone);
+        this->From[disk] = other;
       }
     }
   }
 
-  // In the organ, from the top to the bottom.
-  std::vector<Disk> Execute() const
+  // Of those that end near a place: what the best one brings to it, and its disk. None is -1.
+  std::pair<float, std::ptrdiff_t> Best(std::ptrdiff_t place) const
   {
-    const std::vector<float> none(this->Disks.size(), 0);
-    const Chains below = this->Follow(1, false, none);
-    const Chains above = this->Follow(-1, false, none);
-    const Chains inOrgan = this->Follow(1, true, below.Score);
-    Link top;
-    Link alone;
-    for (std::ptrdiff_t disk = 0; disk < this->Count; ++disk)
-    {
-      if (this->Disks[disk].IsInOrgan && inOrgan.Score[disk] + MostAlone > top.Score)
-      {
-        const Link onward = this->Best(above.Score, disk, this->PerSlice);
-        if (inOrgan.Score[disk] + onward.Score > top.Score)
-        {
-          top = { inOrgan.Score[disk] + onward.Score, disk };
-          alone = onward;
-        }
-      }
-    }
-    std::vector<Disk> vein;
-    std::ptrdiff_t disk = top.Disk;
-    for (; disk >= 0 && this->Disks[disk].IsInOrgan; disk = inOrgan.From[disk])
-    {
-      vein.push_back(this->Disks[disk]);
-    }
-    alone.Score += disk < 0 ? 0 : below.Score[disk];
-    return alone.Score < LeastAlone ? std::vector<Disk>() : vein;
-  }
-
-private:
-  // The best ones that end in each disk, and the disks before.
-  struct Chains
-  {
-    std::vector<float> Score;
-    std::vector<std::ptrdiff_t> From;
-  };
-
-  struct Link
-  {
-    float Score = 0;
-    std::ptrdiff_t Disk = -1;
-  };
-
-  // To a disk from the slice that is so many disks further on.
-  Link Best(const std::vector<float>& scores, std::ptrdiff_t disk, std::ptrdiff_t onward) const
-  {
-    Link best;
-    if (this->Disks[disk].Radius == 0 || disk + onward < 0 || disk + onward >= this->Count)
+    constexpr int reach = static_cast<int>(Slope * SliceStep / GridStep);
+    std::pair<float, std::ptrdiff_t> best{ 0.0F, -1 };
+    if (place < 0 || place >= static_cast<std::ptrdiff_t>(this->Scores.size()))
     {
       return best;
     }
-    for (const auto& [shift, cost] : this->Moves)
+    for (int j = -reach; j <= reach; ++j)
     {
-      const std::ptrdiff_t other = disk + onward + shift;
-      if (scores[other] - cost > best.Score)
+      for (int i = -reach; i <= reach; ++i)
       {
-        best = { scores[other] - cost, other };
+        const int square = i * i + j * j;
+        const std::ptrdiff_t other = place + j * this->Steps[1] + i;
+        const float score =
+          this->Scores[other] - static_cast<float>(CostOfShift * GridStep * GridStep * square);
+        if (square <= reach * reach && score > best.first)
+        {
+          best = { score, other };
+        }
       }
     }
     return best;
   }
 
-  // Slice after slice up or down, through disks in the organ or through the others. Chains begin
-  // anywhere, and where those that have the scores end.
-  Chains Follow(int direction, bool inOrgan, const std::vector<float>& scores) const
-  {
-    Chains chains{ scores, std::vector<std::ptrdiff_t>(this->Disks.size(), -1) };
-    for (std::ptrdiff_t step = 0; step < this->Count; ++step)
-    {
-      const std::ptrdiff_t disk = direction > 0 ? step : this->Count - 1 - step;
-      if (this->Disks[disk].IsInOrgan == inOrgan)
-      {
-        const Link before = this->Best(chains.Score, disk, -direction * this->PerSlice);
-        const float score = before.Score + this->Disks[disk].Evidence;
-        chains.Score[disk] = inOrgan ? score : std::clamp(score, 0.0F, MostAlone);
-        chains.From[disk] = before.Disk;
-      }
-    }
-    return chains;
-  }
-
-  const std::vector<Disk>& Disks;
-  const std::ptrdiff_t Count;
-  const std::ptrdiff_t PerSlice;
-  std::vector<std::pair<std::ptrdiff_t, float>> Moves; // with what they cost
+private:
+  std::array<std::ptrdiff_t, 3> Steps;
 };
 
-BitMask MaskOf(const std::vector<Disk>& vein, const ImageGeometry& geometry)
+// The centers of the vein's disks in the organ, from the top to the bottom.
+std::vector<Eigen::Vector3d> FindVein(const Disks& disks, const ImageGeometry& grid)
+{
+  const std::vector<float> none(grid.NumberOfVoxels(), 0);
+  const Chains below(disks, grid, 1, false, none);
+  const Chains above(disks, grid, -1, false, none);
+  const Chains inOrgan(disks, grid, 1, true, below.Scores);
+  float most = 0;
+  float alone = 0;
+  std::ptrdiff_t disk = -1;
+  for (std::size_t place = 0; place < none.size(); ++place)
+  {
+    if (disks.IsInOrgan[place] != 0 && disks.Evidence[place] > -1)
+    {
+      const float onward = above.Best(static_cast<std::ptrdiff_t>(place) + StepsOf(grid)[2]).first;
+      if (inOrgan.Scores[place] + onward > most)
+      {
+        most = inOrgan.Scores[place] + onward;
+        alone = onward;
+        disk = static_cast<std::ptrdiff_t>(place);
+      }
+    }
+  }
+  std::vector<Eigen::Vector3d> centers;
+  for (; disk >= 0 && disks.IsInOrgan[disk] != 0; disk = inOrgan.From[disk])
+  {
+    centers.push_back(CenterOf(disk, grid));
+  }
+  alone += disk < 0 ? 0 : below.Scores[disk];
+  return alone < LeastAlone ? std::vector<Eigen::Vector3d>() : centers;
+}
+
+// Balls around the centers, and between them, make a tube.
+BitMask MaskOf(const std::vector<Eigen::Vector3d>& centers, const ImageGeometry& geometry)
 {
   BitMask mask(geometry);
-  for (std::size_t next = 1; next < vein.size(); ++next)
+  for (std::size_t next = 1; next < centers.size(); ++next)
   {
-    const Disk& high = vein[next - 1];
-    const Eigen::Vector3d step = vein[next].Center - high.Center;
-    const double reach = std::max(high.Radius, vein[next].Radius) + Wall + step.norm() / 2;
-    for (const std::size_t voxel : VoxelsAround(geometry, { high.Center + step / 2, reach }))
+    const Eigen::Vector3d between = (centers[next - 1] + centers[next]) / 2;
+    for (const std::size_t voxel : VoxelsAround(geometry, { between, VeinRadius }))
     {
-      const Eigen::Vector3d point = CenterOf(voxel, geometry) - high.Center;
-      const double part = point.z() / step.z();
-      const double radius = high.Radius + part * (vein[next].Radius - high.Radius) + Wall;
-      if (part >= 0 && part <= 1 && (point - part * step).squaredNorm() <= radius * radius)
-      {
-        const auto [i, j, k] = IndexOf(voxel, geometry);
-        mask.Insert(i, j, k);
-      }
+      const auto [i, j, k] = IndexOf(voxel, geometry);
+      mask.Insert(i, j, k);
     }
   }
   return mask;
@@ -364,55 +289,46 @@ BitMask MaskOf(const std::vector<Disk>& vein, const ImageGeometry& geometry)
 
 } // namespace
 
-bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
-  const std::vector<VoxelRun>& inside, const SeedSphere& seed, Modality modality,
-  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const SeedSphere& seed,
+  Modality modality, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
   const ImageGeometry& geometry = smooth.Geometry;
-  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > ThickestSlices)
+  const double volume = geometry.Milliliters(mask.Count());
+  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > ThickestSlices ||
+    volume < SmallestLiver || volume > LargestLiver)
   {
     return true;
   }
-  BitMask organ = mask;
-  for (const VoxelRun& run : inside)
-  {
-    organ.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
-  const double volume = geometry.Milliliters(organ.Count());
-  if (volume < SmallestLiver || volume > LargestLiver)
-  {
-    return true;
-  }
-  const ImageGeometry grid = GridBeside(organ);
+  const ImageGeometry grid = GridBeside(mask);
   if (!make(BoxOf(grid, geometry)) || !monitor(0))
   {
     return false;
   }
-  const std::vector<Disk> disks = DiskSearch(smooth, organ, grid).Execute(parallelFor);
-  const std::vector<Disk> vein = VeinSearch(grid, disks).Execute();
-  if (vein.empty() || vein.front().Center.z() - vein.back().Center.z() < LeastInOrgan)
+  const std::vector<Eigen::Vector3d> centers =
+    FindVein(FindDisks({ smooth, mask, grid }, grid, parallelFor), grid);
+  if (centers.empty() || centers.front().z() - centers.back().z() < ShortestVein)
   {
     return true;
   }
-  const std::vector<std::size_t> sources = VoxelsAround(geometry, seed);
-  const BitMask removed = MaskOf(vein, geometry);
-  const auto isRemoved = [&](std::size_t voxel)
-  {
-    const auto [i, j, k] = IndexOf(voxel, geometry);
-    return removed(i, j, k);
-  };
-  if (std::any_of(sources.begin(), sources.end(), isRemoved))
-  {
-    return true;
-  }
+  const BitMask vein = MaskOf(centers, geometry);
   BitMask carved = mask;
-  carved.Remove(removed);
+  carved.Remove(vein);
+  const std::vector<std::size_t> sources = VoxelsAround(geometry, seed);
+  if (std::any_of(sources.begin(), sources.end(),
+        [&](std::size_t voxel)
+        {
+          const auto [i, j, k] = IndexOf(voxel, geometry);
+          return vein(i, j, k);
+        }))
+  {
+    return true;
+  }
   if (!KeepConnected(carved, sources, PartOf(monitor, 0.5, 1)))
   {
     return false;
   }
-  const double lost = static_cast<double>(mask.Count() - carved.Count());
-  if (lost <= MostLost * static_cast<double>(removed.Count()))
+  const double most = MostLost * static_cast<double>(vein.Count());
+  if (static_cast<double>(mask.Count() - carved.Count()) <= most)
   {
     mask = std::move(carved);
   }

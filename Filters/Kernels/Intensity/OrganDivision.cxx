@@ -1,11 +1,12 @@
 #include "Intensity/OrganDivision.h"
 
-#include "Image/BlockNetwork.h"
+#include "Evidence/RegionCut.h"
 #include "Intensity/GrayValueSimilarity.h"
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace FlipFree
@@ -17,10 +18,8 @@ namespace
 // and one that is nearer to one seed than to the other by the radius of its own.
 constexpr double LikenessWorth = 0.1;
 constexpr double NearnessWorth = 0.02;
-// What a cut costs per mm2 and millimeter of the smaller organ's radius, of which these count.
+// What a cut costs per mm2 and millimeter of the smaller organ's radius (RegionLinks).
 constexpr double Smoothness = 0.2;
-constexpr double LeastRadius = 5;
-constexpr double GreatestRadius = 40;
 // Voxels: what is certain around an inside point.
 constexpr double CertainOrganVoxels = 1.01;
 
@@ -81,9 +80,8 @@ public:
         const std::array<int, 3> index = IndexOf(voxel, geometry);
         return common(index[0], index[1], index[2]);
       });
-    const std::vector<unsigned char> isFirst =
-      SourceSide(this->MakeNetwork(), this->Parallel, monitor);
-    if (isFirst.empty())
+    RegionCut cut = this->MakeCut();
+    if (!cut.Execute(this->Parallel, monitor))
     {
       return false;
     }
@@ -91,28 +89,26 @@ public:
       [&](std::size_t voxel)
       {
         const std::array<int, 3> index = IndexOf(voxel, geometry);
-        lost[isFirst[this->Nodes[voxel]] ? 1 : 0].Insert(index[0], index[1], index[2]);
+        lost[cut.IsInside(voxel) ? 1 : 0].Insert(index[0], index[1], index[2]);
       });
     return true;
   }
 
 private:
-  CutNetwork MakeNetwork() const
+  RegionCut MakeCut() const
   {
     const std::vector<float> smooth = SmoothBlockMeans(this->Image, this->Grid, this->Parallel);
     const RobustStatistics of[2] = { this->StatisticsOf(0), this->StatisticsOf(1) };
-    double smallest = GreatestRadius;
+    double smallest = std::numeric_limits<double>::max();
     for (const OrganClaim* claim : this->Claims)
     {
       const double volume =
         static_cast<double>(claim->Mask.Count()) * claim->Mask.GetGeometry().VoxelVolume();
       smallest = std::min<double>(smallest, std::cbrt(volume * 3 / (4 * EIGEN_PI)));
     }
-    BlockLinks links;
-    links.PerArea = Smoothness * std::max(LeastRadius, smallest);
-    links.EdgeContrast = 3 *
+    const BlockLinks links = RegionLinks(Smoothness, smallest,
       std::max(
-        { of[0].StandardDeviation, of[1].StandardDeviation, 0.5 * this->Noise, LeastDeviation });
+        { of[0].StandardDeviation, of[1].StandardDeviation, 0.5 * this->Noise, LeastDeviation }));
     const auto worth = [&](std::size_t voxel)
     {
       const double value = smooth[voxel];
@@ -128,13 +124,15 @@ private:
       return static_cast<double>(this->Masks[0](index[0], index[1], index[2])) -
         static_cast<double>(this->Masks[1](index[0], index[1], index[2]));
     };
-    CutNetwork network =
-      MakeBlockNetwork(this->Grid.Blocks, this->Nodes, smooth, links, worth, side, this->Parallel);
-    for (const int claim : { 0, 1 })
-    {
-      this->SetCertain(claim, network);
-    }
-    return network;
+    RegionCut cut(
+      MakeBlockNetwork(this->Grid.Blocks, this->Nodes, smooth, links, worth, side, this->Parallel),
+      CapacityUnit(this->Grid.Blocks, links), this->Nodes);
+    const BitMask ofSecond = this->CertainOf(1);
+    BitMask ofFirst = this->CertainOf(0);
+    ofFirst.Remove(ofSecond);
+    cut.Fix(this->NodesIn(ofFirst), true);
+    cut.Fix(this->NodesIn(ofSecond), false);
+    return cut;
   }
 
   RobustStatistics StatisticsOf(int claim) const
@@ -151,29 +149,41 @@ private:
     return ((place - seed.Center).norm() - seed.Radius) / seed.Radius;
   }
 
-  void SetCertain(int claim, CutNetwork& network) const
+  BitMask CertainOf(int claim) const
   {
-    const ImageGeometry& geometry = this->Grid.Voxels;
-    const auto set = [&](const SeedSphere& ball)
+    BitMask certain(this->Grid.Voxels);
+    const auto add = [&certain](const SeedSphere& ball)
     {
-      for (const std::size_t voxel : VoxelsInSphere(geometry, ball))
+      for (const std::size_t voxel : VoxelsInSphere(certain.GetGeometry(), ball))
       {
-        if (this->Nodes.IsNode(voxel))
-        {
-          network[this->Nodes[voxel]].Terminal =
-            claim == 0 ? CutNode::Infinite : -CutNode::Infinite;
-        }
+        const std::array<int, 3> index = IndexOf(voxel, certain.GetGeometry());
+        certain.Insert(index[0], index[1], index[2]);
       }
     };
-    set(this->Claims[claim]->Seed);
+    add(this->Claims[claim]->Seed);
     for (const PointConstraint& constraint : this->Claims[claim]->Constraints)
     {
       if (IsKept(constraint))
       {
-        set({ constraint.Point,
-          std::max(constraint.Radius, CertainOrganVoxels * geometry.Spacing.maxCoeff()) });
+        add({ constraint.Point,
+          std::max(constraint.Radius, CertainOrganVoxels * this->Grid.Voxels.Spacing.maxCoeff()) });
       }
     }
+    return certain;
+  }
+
+  std::vector<std::size_t> NodesIn(const BitMask& mask) const
+  {
+    std::vector<std::size_t> nodes;
+    mask.ForEach(
+      [&](std::size_t voxel)
+      {
+        if (this->Nodes.IsNode(voxel))
+        {
+          nodes.push_back(voxel);
+        }
+      });
+    return nodes;
   }
 
   const OrganClaim* const Claims[2];
