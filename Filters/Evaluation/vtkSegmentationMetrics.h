@@ -37,8 +37,8 @@
  * values that are no labels, or more than 255 values, 1000 if one of them is chosen), label maps
  * with other voxels, a label map without scalars, with several components, of bits, or with a
  * spacing that is not positive, a surface that is empty, open or not finite, or encloses no voxel
- * center of the reference, a surface too large for any number of samples, a SampleSpacing that is not
- * a number. Warnings, which still give measures:
+ * center of the reference, a surface that would need more than a hundred million samples (raise
+ * SampleSpacing), a SampleSpacing that is not a number. Warnings, which still give measures:
  *  - a reference of several labels, if none of them was chosen and the segmentation has only one;
  *  - labels beside a few negative numbers;
  *  - a surface that lies, in part, more than a voxel outside the reference's grid, or label maps
@@ -101,7 +101,7 @@ public:
   ///@{
   /**
    * Maximum distance in mm between neighboring samples of a surface; smaller triangles have one
-   * sample. Default 1; 0.001 to 1000.
+   * sample, and none has more than 512 x 512. Default 1; 0.001 to 1000.
    */
   void SetSampleSpacing(double value);
   double GetSampleSpacing() const;

@@ -1,6 +1,6 @@
 // The minimum cut against Boost's, also by another algorithm; and how long both take.
 #include "ExampleMasks.h"
-#include "Image/MinimumCut.h"
+#include "SourceSide.h"
 #include "Stopwatch.h"
 
 // In Boost, where the compiler cannot follow.

@@ -1,6 +1,7 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Image/MinimumCut.h"
+#include "SourceSide.h"
 
 #include <gtest/gtest.h>
 

@@ -394,17 +394,82 @@ TEST(HollowCarving, LeavesFatAndWhatIsThinAlone)
   EXPECT_EQ(Hollowed(image, thin), thin);
 }
 
+// By the steps of one round: a cut, a move of the boundary, and at the end the hollows.
+BitMask CarvedInOneRound(const Leak& leak, const FloatImage& image, const BitMask& candidate)
+{
+  const ImagePart part{ image.View() };
+  BitMask mask = candidate;
+  EXPECT_TRUE(Cut(part, leak.Seed, 4, Modality::CT, SerialFor, mask));
+  EXPECT_TRUE(GrowRim(part, 4, Modality::CT, SerialFor, NeverStop, mask));
+  EXPECT_TRUE(CarveHollows(part, Modality::CT, SerialFor, NeverStop, mask));
+  return mask;
+}
+
+BitMask CarvedFrom(const BitMask& candidate, const Leak& leak, const FloatImage& image,
+  std::vector<DoubtfulPart>* doubts, const Monitor& monitor = NeverStop)
+{
+  BitMask foreground;
+  EXPECT_TRUE(CarveOrgan(image.View(), candidate, nullptr, leak.Seed, 4, Modality::CT, SerialFor,
+    monitor, foreground, doubts));
+  return foreground;
+}
+
+// A second round changes nothing where the first cut took nothing, and is left out.
+TEST(OrganCarving, CutsAgainOnlyWhereTheFirstCutTookSomething)
+{
+  const Leak leak;
+  const BitMask organ = MaskOf(leak.Geometry, leak.Organ);
+  const FloatImage alone = ImageOf(leak.Geometry, leak.Organ, 100, 20, 1, 4);
+  EXPECT_EQ(CarvedFrom(organ, leak, alone, nullptr), CarvedInOneRound(leak, alone, organ));
+  FloatImage leaking = ImageOf(leak.Geometry, leak.Both, 100, 20, 1, 4);
+  MaskOf(leak.Geometry, BallShape({ 85, 30, 30 }, 22))
+    .ForEach([&](std::size_t voxel) { leaking.Voxels[voxel] += 100; });
+  const BitMask both = MaskOf(leak.Geometry, leak.Both);
+  const BitMask carved = CarvedFrom(both, leak, leaking, nullptr);
+  const BitMask once = CarvedInOneRound(leak, leaking, both);
+  EXPECT_NE(carved, once);
+  EXPECT_GT(Dice(carved, organ), 0.9);
+}
+
+TEST(OrganCarving, CarvesTheSameWithoutDoubts)
+{
+  Lobed lobed;
+  lobed.Draw(8, 0);
+  const BitMask both = MaskOf(lobed.Geometry, lobed.Both);
+  const auto carved = [&](std::vector<DoubtfulPart>* doubts)
+  {
+    BitMask foreground;
+    EXPECT_TRUE(CarveOrgan(lobed.Image.View(), both, nullptr, lobed.Seed, 4, Modality::CT,
+      SerialFor, NeverStop, foreground, doubts));
+    return foreground;
+  };
+  std::vector<DoubtfulPart> doubts;
+  const BitMask expected = carved(&doubts);
+  EXPECT_FALSE(doubts.empty());
+  EXPECT_EQ(carved(nullptr), expected);
+}
+
+// Whichever question is answered by no, the last one among them.
 TEST(OrganCarving, Stops)
 {
   const Leak leak;
   const FloatImage image = ImageOf(leak.Geometry, leak.Both, 100, 20, 0, 4);
-  for (int allowed = 0; allowed < 12; ++allowed)
+  const BitMask both = MaskOf(leak.Geometry, leak.Both);
+  std::vector<DoubtfulPart> doubts;
+  int all = 0;
+  CarvedFrom(both, leak, image, &doubts,
+    [&](double)
+    {
+      ++all;
+      return true;
+    });
+  ASSERT_GT(all, 12);
+  for (int allowed = 0; allowed < all; ++allowed)
   {
     int asked = 0;
     BitMask foreground;
-    std::vector<DoubtfulPart> doubts;
     EXPECT_FALSE(CarveOrgan(
-      image.View(), BitMask(leak.Geometry), nullptr, leak.Seed, 4, Modality::CT, SerialFor,
+      image.View(), both, nullptr, leak.Seed, 4, Modality::CT, SerialFor,
       [&](double) { return asked++ < allowed; }, foreground, &doubts));
     EXPECT_EQ(asked, allowed + 1);
   }

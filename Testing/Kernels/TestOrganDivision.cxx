@@ -1,6 +1,6 @@
 // Which of two organs gets the voxels that both claim.
+#include "Evidence/OrganDivision.h"
 #include "ExampleMasks.h"
-#include "Intensity/OrganDivision.h"
 
 #include <gtest/gtest.h>
 

@@ -372,21 +372,34 @@ TEST(SurfaceDistance, OfASurfaceToItselfStopsNearTheEnd)
   }
 }
 
-// A surface with one vertex that is meters away is measured in seconds.
-TEST(SurfaceDistance, TakesNoMoreSamplesThanSuffice)
+// A surface with one vertex that is meters away is measured in seconds, and the rest of it as
+// finely as ever.
+TEST(SurfaceDistance, TakesNoMoreSamplesOfATriangleThanSayAnything)
 {
   const Surface box = Box({ 0, 0, 0 }, { 10, 20, 30 });
-  const auto samplesFor = [&](double spacing)
+  const auto samplesOf = [](const Surface& surface, double spacing)
   {
     return static_cast<double>(
-      SurfaceSamples(box.Points, box.Triangles, spacing, "the box").Size());
+      SurfaceSamples(surface.Points, surface.Triangles, spacing, "the box").Size());
   };
-  // Few enough are taken as asked for: four times as many at half the distance.
-  EXPECT_NEAR(samplesFor(0.1) / samplesFor(0.2), 4, 0.1);
-  for (const double spacing : { 0.01, 1e-6 })
+  EXPECT_NEAR(samplesOf(box, 0.1) / samplesOf(box, 0.2), 4, 0.1);
+  EXPECT_EQ(samplesOf(box, 1e-3), 12 * 512 * 512);
+  Surface spiked = box;
+  spiked.Points.row(0) = Eigen::RowVector3d(-1e7, 0, 0);
+  Eigen::Index longer = 0; // triangles
+  for (Eigen::Index triangle = 0; triangle < 12; ++triangle)
   {
-    SCOPED_TRACE(spacing);
-    EXPECT_NEAR(samplesFor(spacing), 2e6, 2e4);
+    longer += (spiked.Triangles.row(triangle).array() == 0).any() ? 1 : 0;
+  }
+  const SurfaceSamples samples(spiked.Points, spiked.Triangles, 0.2, "the box");
+  const SurfaceSamples before(box.Points, box.Triangles, 0.2, "the box");
+  EXPECT_LE(samples.Size(), longer * 512 * 512 + before.Size());
+  for (Eigen::Index triangle = 0; triangle < 12; ++triangle)
+  {
+    if (!(spiked.Triangles.row(triangle).array() == 0).any())
+    {
+      EXPECT_EQ(samples.PatchAreaOf(triangle), before.PatchAreaOf(triangle)) << triangle;
+    }
   }
 }
 
@@ -404,9 +417,13 @@ TEST(SurfaceDistance, RefusesBadInput)
   flat.Points.setZero();
   EXPECT_NE(errorOf(box, flat, 1).find("no area"), std::string::npos);
   EXPECT_NE(errorOf(box, box, 0).find("sample spacing"), std::string::npos);
-  Surface huge = box;
-  huge.Points *= 1e200;
-  EXPECT_NE(errorOf(box, huge, 1).find("the second surface is too large"), std::string::npos);
+  for (const double scale : { 1e80, 1e200, 1e307 })
+  {
+    Surface huge = box;
+    huge.Points *= scale;
+    EXPECT_NE(errorOf(box, huge, 1).find("the second surface is too large"), std::string::npos)
+      << scale;
+  }
   Surface undefined = box;
   undefined.Points(3, 0) = std::numeric_limits<double>::infinity();
   EXPECT_NE(errorOf(box, undefined, 1).find("point 3 of the second surface"), std::string::npos);

@@ -190,15 +190,10 @@ TEST(VenaCavaCarving, KeepsALobeBehindTheVein)
   const Shape liver = abdomen.Liver;
   abdomen.Liver = [liver](const Eigen::Vector3d& point)
   {
-    const bool isGap = point.x() > 155 && point.x() < 165 && std::abs(point.y() - 127) > 9;
+    const bool isGap = point.x() > 155 && point.x() < 163 && std::abs(point.y() - 127) > 6;
     return liver(point) && !isGap;
   };
-  const BitMask lobe = MaskOf(abdomen.Geometry,
-    [&](const Eigen::Vector3d& point) { return abdomen.Organ(point) && point.x() > 165; });
-  ASSERT_GT(lobe.Count(), 1000U);
-  BitMask lost = lobe;
-  lost.Remove(Carved(abdomen, abdomen.Image(), MaskOf(abdomen.Geometry, abdomen.Found)));
-  EXPECT_LT(lost.Count(), 0.15 * static_cast<double>(lobe.Count()));
+  ExpectUntouched(abdomen);
 }
 
 TEST(VenaCavaCarving, LeavesMR)

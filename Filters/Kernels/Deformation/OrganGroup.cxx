@@ -4,7 +4,7 @@
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "Geometry/WindingNumber.h"
-#include "Intensity/OrganDivision.h"
+#include "Evidence/OrganDivision.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
 

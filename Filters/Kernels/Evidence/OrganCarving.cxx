@@ -14,7 +14,8 @@ namespace
 {
 
 constexpr int CarvingRounds = 2;
-// Of the candidate. Where the first cut takes less, a second one finds nothing.
+// Of the candidate. Where the first cut makes it smaller by less, and had no part to decide about,
+// a second one, and a second move of the boundary, hardly change anything.
 constexpr double LeastCut = 0.02;
 
 } // namespace
@@ -43,15 +44,15 @@ bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const 
   const ImagePart part{ smooth, box.Begin };
   double done = 0;
   const Monitor proceed = [&](double) { return monitor(done / (2 * CarvingRounds + 1)); };
-  bool isDone = false;
-  for (int round = 0; round < CarvingRounds && !isDone; ++round)
+  bool isSettled = false;
+  for (int round = 0; round < CarvingRounds && !isSettled; ++round)
   {
     const auto before = static_cast<double>(mask.Count());
     if (!CutOrgan(part, seed, noise, modality, {}, parallelFor, proceed, mask, state))
     {
       return false;
     }
-    isDone = static_cast<double>(mask.Count()) > (1 - LeastCut) * before;
+    isSettled = !state.HasParts && static_cast<double>(mask.Count()) > (1 - LeastCut) * before;
     state.Supported = BitMask(); // what is left is what the cut has chosen
     ++done;
     if (!GrowRim(part, noise, modality, parallelFor, proceed, mask))

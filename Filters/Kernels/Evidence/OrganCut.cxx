@@ -80,7 +80,8 @@ public:
       return false;
     }
     std::vector<SeveredPart> parts = this->FindParts(cut);
-    if (!parts.empty())
+    this->State.HasParts = !parts.empty();
+    if (this->State.HasParts)
     {
       this->Propose(parts, cut);
       if (!cut.Execute(this->Parallel, this->Ask) ||
@@ -420,6 +421,7 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
     state.Own = BitMask(geometry);
     state.Own.Insert(ofPart.Own, box.Begin);
   }
+  state.HasParts = ofPart.HasParts;
   state.Doubts.insert(state.Doubts.end(), ofPart.Doubts.begin(), ofPart.Doubts.end());
   return true;
 }

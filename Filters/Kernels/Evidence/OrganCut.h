@@ -57,7 +57,8 @@ struct OrganCutState
 {
   BitMask Supported; ///< what of the mask there is more evidence for; without a grid, all
   BitMask Own;       ///< parts that were found to be the organ's own, and stay so; may have no grid
-  bool FindsDoubts = true;
+  bool HasParts = false;            ///< whether there was a part to decide about
+  bool FindsDoubts = true;          ///< each of which takes a cut
   std::vector<DoubtfulPart> Doubts; ///< what might have been decided otherwise
 };
 

@@ -27,13 +27,14 @@ constexpr double FarthestCenter[] = { 1.05, 0.65, 1.9 };
 
 constexpr double GridStep = 3; // mm, within slices
 constexpr double SliceStep = 5;
-constexpr double Slope = 1.2;         // the steepest
 constexpr double CostOfShift = 0.008; // per mm2 from slice to slice
+constexpr int Reach = 2;              // of the vein, from slice to slice; steps
 constexpr double VeinRadius = 12;     // mm, with its wall
-constexpr double DiskRadius = 9;
-constexpr double RimBegin = 13;
+constexpr double DiskRadius = 9;      // mm, of what of the vein is looked at
+constexpr double RimBegin = 13;       // mm from the center
 constexpr double RimEnd = 15;
 constexpr int Margin = static_cast<int>(RimEnd / GridStep); // of the grid, for the rim; steps
+static_assert(Reach <= Margin);
 
 // HU. Darker and brighter gray values say no more; a difference says nothing, or all.
 constexpr float Darkest = -100;
@@ -110,10 +111,13 @@ struct GridVoxels
   }
 };
 
+// Less than the evidence of any disk.
+constexpr float NoDisk = -1;
+
 // Cross-sections that the vein may have, around the places of a grid.
 struct Disks
 {
-  std::vector<float> Evidence;          // how much of its rim is darker
+  std::vector<float> Evidence; // how much of the rim is darker, beyond what must be; or NoDisk
   std::vector<unsigned char> IsInOrgan; // half of it
 };
 
@@ -137,10 +141,11 @@ Disks FindDisks(const GridVoxels& voxels, const ImageGeometry& grid, const Paral
       }
     }
   }
-  Disks disks{ std::vector<float>(grid.NumberOfVoxels(), -1), voxels.IsInOrgan };
-  const auto measure = [&](std::ptrdiff_t place)
+  Disks disks{ std::vector<float>(grid.NumberOfVoxels(), NoDisk),
+    std::vector<unsigned char>(grid.NumberOfVoxels(), 0) };
+  const auto measure = [&](std::ptrdiff_t place, std::vector<float>& values)
   {
-    std::vector<float> values;
+    values.clear();
     std::size_t inOrgan = 0;
     for (const std::ptrdiff_t step : inside)
     {
@@ -166,13 +171,14 @@ Disks FindDisks(const GridVoxels& voxels, const ImageGeometry& grid, const Paral
   parallelFor(0, grid.Dimensions[2],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
+      std::vector<float> values;
       for (auto k = static_cast<int>(first); k < last; ++k)
       {
         for (int j = Margin; j < grid.Dimensions[1] - Margin; ++j)
         {
           for (int i = Margin; i < grid.Dimensions[0] - Margin; ++i)
           {
-            measure(static_cast<std::ptrdiff_t>(grid.Offset(i, j, k)));
+            measure(static_cast<std::ptrdiff_t>(grid.Offset(i, j, k)), values);
           }
         }
       }
@@ -199,7 +205,7 @@ public:
     for (std::ptrdiff_t step = 0; step < count; ++step)
     {
       const std::ptrdiff_t disk = direction > 0 ? step : count - 1 - step;
-      if (disks.Evidence[disk] > -1 && (disks.IsInOrgan[disk] != 0) == inOrgan)
+      if (disks.Evidence[disk] > NoDisk && (disks.IsInOrgan[disk] != 0) == inOrgan)
       {
         const auto [before, other] = this->Best(disk - direction * this->Steps[2]);
         const float score = before + disks.Evidence[disk];
@@ -212,21 +218,20 @@ public:
   // Of those that end near a place: what the best one brings to it, and its disk. None is -1.
   std::pair<float, std::ptrdiff_t> Best(std::ptrdiff_t place) const
   {
-    constexpr int reach = static_cast<int>(Slope * SliceStep / GridStep);
     std::pair<float, std::ptrdiff_t> best{ 0.0F, -1 };
     if (place < 0 || place >= static_cast<std::ptrdiff_t>(this->Scores.size()))
     {
       return best;
     }
-    for (int j = -reach; j <= reach; ++j)
+    for (int j = -Reach; j <= Reach; ++j)
     {
-      for (int i = -reach; i <= reach; ++i)
+      for (int i = -Reach; i <= Reach; ++i)
       {
         const int square = i * i + j * j;
         const std::ptrdiff_t other = place + j * this->Steps[1] + i;
         const float score =
           this->Scores[other] - static_cast<float>(CostOfShift * GridStep * GridStep * square);
-        if (square <= reach * reach && score > best.first)
+        if (square <= Reach * Reach && score > best.first)
         {
           best = { score, other };
         }
@@ -251,7 +256,7 @@ std::vector<Eigen::Vector3d> FindVein(const Disks& disks, const ImageGeometry& g
   std::ptrdiff_t disk = -1;
   for (std::size_t place = 0; place < none.size(); ++place)
   {
-    if (disks.IsInOrgan[place] != 0 && disks.Evidence[place] > -1)
+    if (disks.IsInOrgan[place] != 0)
     {
       const float onward = above.Best(static_cast<std::ptrdiff_t>(place) + StepsOf(grid)[2]).first;
       if (inOrgan.Scores[place] + onward > most)
@@ -271,7 +276,8 @@ std::vector<Eigen::Vector3d> FindVein(const Disks& disks, const ImageGeometry& g
   return alone < LeastAlone ? std::vector<Eigen::Vector3d>() : centers;
 }
 
-// Balls around the centers, and between them, make a tube.
+// Balls half-way between successive centers make a tube, whose round ends reach most of a radius
+// farther.
 BitMask MaskOf(const std::vector<Eigen::Vector3d>& centers, const ImageGeometry& geometry)
 {
   BitMask mask(geometry);
@@ -293,9 +299,12 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const
   Modality modality, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
   const ImageGeometry& geometry = smooth.Geometry;
+  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > ThickestSlices)
+  {
+    return true;
+  }
   const double volume = geometry.Milliliters(mask.Count());
-  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > ThickestSlices ||
-    volume < SmallestLiver || volume > LargestLiver)
+  if (volume < SmallestLiver || volume > LargestLiver)
   {
     return true;
   }

@@ -471,20 +471,4 @@ bool MinimumCut::IsOnSourceSide(int node) const
   return this->Nodes[node].Tree == Source;
 }
 
-std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
-  const Monitor& monitor)
-{
-  MinimumCut cut(std::move(network));
-  if (!cut.Execute(parallelFor, monitor))
-  {
-    return {};
-  }
-  std::vector<unsigned char> side(cut.NumberOfNodes());
-  for (int node = 0; node < cut.NumberOfNodes(); ++node)
-  {
-    side[node] = cut.IsOnSourceSide(node) ? 1 : 0;
-  }
-  return side;
-}
-
 } // namespace FlipFree

@@ -75,11 +75,6 @@ private:
   std::int64_t Cost = 0;
 };
 
-/// For each node, 1 if it is on the source's side of the minimum cut. Uses up the network. Empty if
-/// the monitor stopped it.
-std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
-  const Monitor& monitor);
-
 } // namespace FlipFree
 
 #endif

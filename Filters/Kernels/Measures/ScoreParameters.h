@@ -22,7 +22,7 @@
     std::numeric_limits<int>::max(), "N",                                                          \
     "Value of the reference's voxels that count as inside; negative: every value but 0")           \
   P(SampleSpacing, double, S SampleSpacing, 0.001, 1000, "MM",                                     \
-    "Greatest distance between neighboring samples of a surface, as far as two million suffice")   \
+    "Greatest distance between neighboring samples of a surface")                                  \
   P(LabelSmoothing, int, S LabelSmoothing, 0, 100, "N",                                            \
     "Iterations of smoothing that the surfaces of label maps get")                                 \
   P(ScoreVoxelization, bool, S ScoreVoxelization, false, true, "",                                 \

@@ -26,10 +26,10 @@ struct SurfaceDistance
   bool Complete = false;
 };
 
-/// Neighboring samples of a triangle are at most sampleSpacing (mm) apart, as far as two million
-/// samples suffice for that; small triangles have one sample. Throws Error when a surface has no
-/// area, is not valid (RequireValidFaces) or is too large for any number of samples, or when the
-/// spacing is not positive.
+/// Neighboring samples of a triangle are at most sampleSpacing (mm) apart; small triangles have one
+/// sample, and none has more than 512 x 512. Throws Error when a surface has no area or too large a
+/// one, is not valid (RequireValidFaces), or would need more than a hundred million samples, or
+/// when the spacing is not positive.
 SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   const TriangleList& firstTriangles, const PointList& secondPoints,
   const TriangleList& secondTriangles, double sampleSpacing = 1.0,

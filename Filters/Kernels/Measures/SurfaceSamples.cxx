@@ -10,41 +10,10 @@ namespace FlipFree
 namespace
 {
 
-constexpr double EnoughSamples = 2e6;
-
-// The centroids of neighboring patches are two thirds of a patch's median apart.
-double GreatestStep(const PointList& points, const Eigen::RowVector3i& triangle)
-{
-  const Eigen::RowVector3d a = points.row(triangle[0]);
-  const Eigen::RowVector3d b = points.row(triangle[1]);
-  const Eigen::RowVector3d c = points.row(triangle[2]);
-  return std::sqrt(std::max({ (b + c - 2 * a).squaredNorm(), (c + a - 2 * b).squaredNorm(),
-           (a + b - 2 * c).squaredNorm() })) /
-    3;
-}
-
-// Along each edge of a triangle.
-double DivisionsFor(double step, double spacing)
-{
-  return std::max(1.0, std::ceil(step / spacing));
-}
-
-double SufficientSpacing(const PointList& points, const TriangleList& triangles, double spacing,
-  const std::string& name)
-{
-  double samples = 0;
-  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
-  {
-    const double divisions = DivisionsFor(GreatestStep(points, triangles.row(triangle)), spacing);
-    samples += divisions * divisions;
-  }
-  if (!std::isfinite(samples))
-  {
-    throw Error(ErrorCode::TooLarge,
-      name + " is too large to be measured; check that its coordinates are in millimeters");
-  }
-  return spacing * std::sqrt(std::max(1.0, samples / EnoughSamples));
-}
+// Along each edge of a triangle. A larger triangle is no better known by more of them, which take
+// minutes: one vertex that is meters away makes such triangles.
+constexpr double MaximumDivisions = 512;
+constexpr double MaximumNumberOfSamples = 1e8;
 
 } // namespace
 
@@ -54,20 +23,32 @@ SurfaceSamples::SurfaceSamples(const PointList& points, TriangleList triangles, 
   , Triangles(std::move(triangles))
   , Offsets{ 0 }
 {
-  spacing = SufficientSpacing(points, this->Triangles, spacing, name);
   double area = 0;
   for (Eigen::Index triangle = 0; triangle < this->Triangles.rows(); ++triangle)
   {
     const Eigen::RowVector3d a = points.row(this->Triangles(triangle, 0));
     const Eigen::RowVector3d b = points.row(this->Triangles(triangle, 1));
     const Eigen::RowVector3d c = points.row(this->Triangles(triangle, 2));
-    const double divisions =
-      DivisionsFor(GreatestStep(points, this->Triangles.row(triangle)), spacing);
+    // The centroids of neighboring patches are two thirds of a patch's median apart.
+    const double step = std::sqrt(std::max({ (b + c - 2 * a).squaredNorm(),
+                          (c + a - 2 * b).squaredNorm(), (a + b - 2 * c).squaredNorm() })) /
+      3;
+    const double divisions = std::max(1.0, std::min(MaximumDivisions, std::ceil(step / spacing)));
     const double patches = divisions * divisions;
+    if (static_cast<double>(this->Size()) + patches > MaximumNumberOfSamples)
+    {
+      throw Error(ErrorCode::TooLarge,
+        name + " would need more than a hundred million samples; choose a greater sample spacing");
+    }
     this->Divisions.push_back(static_cast<int>(divisions));
     this->Offsets.push_back(this->Size() + static_cast<std::size_t>(patches));
     this->PatchAreas.push_back((b - a).cross(c - a).norm() / 2 / patches);
     area += this->PatchAreas.back() * patches;
+  }
+  if (!std::isfinite(area))
+  {
+    throw Error(ErrorCode::TooLarge,
+      name + " is too large to be measured; check that its coordinates are in millimeters");
   }
   if (!(area > 0))
   {

@@ -18,10 +18,10 @@ namespace FlipFree
 class SurfaceSamples
 {
 public:
-  /// Neighboring samples of a triangle are at most `spacing` (mm) apart, and farther only where the
-  /// surface would need more than two million samples: more say nothing new, and take minutes.
-  /// Throws Error, naming the surface by `name`, when it has no area or is too large for any
-  /// number of them. Keeps a reference to the points.
+  /// Neighboring samples of a triangle are at most `spacing` (mm) apart; those of a triangle that
+  /// is longer than about 500 times that, a 500th of its length. Throws Error, naming the surface
+  /// by `name`, when it has no area, or too large a one, or would need more than a hundred million
+  /// samples. Keeps a reference to the points.
   SurfaceSamples(const PointList& points, TriangleList triangles, double spacing,
     const std::string& name);
 

@@ -1,4 +1,4 @@
-#include "Intensity/OrganDivision.h"
+#include "Evidence/OrganDivision.h"
 
 #include "Evidence/RegionCut.h"
 #include "Intensity/GrayValueSimilarity.h"
@@ -19,7 +19,7 @@ namespace
 constexpr double LikenessWorth = 0.1;
 constexpr double NearnessWorth = 0.02;
 // What a cut costs per mm2 and millimeter of the smaller organ's radius (RegionLinks).
-constexpr double Smoothness = 0.2;
+constexpr double SmoothnessOfDivision = 0.2;
 // Voxels: what is certain around an inside point.
 constexpr double CertainOrganVoxels = 1.01;
 
@@ -106,7 +106,7 @@ private:
         static_cast<double>(claim->Mask.Count()) * claim->Mask.GetGeometry().VoxelVolume();
       smallest = std::min<double>(smallest, std::cbrt(volume * 3 / (4 * EIGEN_PI)));
     }
-    const BlockLinks links = RegionLinks(Smoothness, smallest,
+    const BlockLinks links = RegionLinks(SmoothnessOfDivision, smallest,
       std::max(
         { of[0].StandardDeviation, of[1].StandardDeviation, 0.5 * this->Noise, LeastDeviation }));
     const auto worth = [&](std::size_t voxel)
