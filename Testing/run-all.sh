@@ -36,13 +36,10 @@ step()
   printf '\n== %s (after %d min %02d s)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60))
 }
 
-# Many sources at a time: most of the time goes into headers, which the compiler, clang-tidy's checks and its static
-# analyzer each go through anew in every unit. So many that each library is one unit; of the kernels each room is one.
-units=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=32)
-
+# Several sources at a time: most of the time goes into headers.
 build()
 {
-  cmake --preset "$1" "${units[@]}"
+  cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
@@ -54,8 +51,7 @@ run_tests()
     ctest --preset "$1" --parallel "$jobs"
 }
 
-# Our own sources, several at a time, as the sanitizers' build compiles them: clang-tidy spends most of its time on
-# headers. Neither generated files nor tests.
+# Our own sources, many at a time. Neither generated files nor tests.
 own_units()
 {
   python3 - "$root/build/asan" "$root" <<'PYTHON'
@@ -76,7 +72,9 @@ PYTHON
 # AddressSanitizer finds the real ones.
 lint()
 {
-  cmake --fresh --preset asan "${units[@]}" # of another compiler, nothing may be left
+  # Of another compiler, nothing may be left. So many sources at a time that each library is one unit; of the kernels each
+  # room is one: the checks and the analyzer go through headers anew in every unit.
+  cmake --fresh --preset asan -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=32
   find Filters Wrapping -name .clang-tidy -exec cp --parents {} build/asan \; # units stand there
   own_units | xargs --no-run-if-empty -0 -n 1 -P "$jobs" \
     clang-tidy --quiet -p build/asan --warnings-as-errors='*' --header-filter='/(Filters|Wrapping)/[^.]*\.(h|cxx)$' \

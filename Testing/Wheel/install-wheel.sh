@@ -39,9 +39,7 @@ fi
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
-# What reads the command line is compiled as one unit: most of the time goes into headers.
 "$environment/bin/pip" install --quiet --no-build-isolation --no-deps --force-reinstall \
   --config-settings=build-dir="$environment/build" \
-  --config-settings=cmake.define.CMAKE_UNITY_BUILD_BATCH_SIZE=32 \
   --config-settings=cmake.define.FLIPFREE_KERNELS_LIBRARY="$kernels" .
 touch "$environment/flipfree-installed"
