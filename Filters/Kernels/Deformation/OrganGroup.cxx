@@ -2,9 +2,9 @@
 
 #include "Deformation/JointDeformation.h"
 #include "Error.h"
+#include "Evidence/OrganDivision.h"
 #include "Geometry/SelfIntersection.h"
 #include "Geometry/WindingNumber.h"
-#include "Evidence/OrganDivision.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
 
