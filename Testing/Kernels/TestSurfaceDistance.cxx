@@ -417,6 +417,9 @@ TEST(SurfaceDistance, RefusesBadInput)
   flat.Points.setZero();
   EXPECT_NE(errorOf(box, flat, 1).find("no area"), std::string::npos);
   EXPECT_NE(errorOf(box, box, 0).find("sample spacing"), std::string::npos);
+  // Each of its triangles has as many samples as any may have.
+  const Surface many = Sphere(12, { 2, 2, 2 }, 1);
+  EXPECT_NE(errorOf(box, many, 1e-6).find("greater sample spacing"), std::string::npos);
   for (const double scale : { 1e80, 1e200, 1e307 })
   {
     Surface huge = box;

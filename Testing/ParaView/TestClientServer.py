@@ -84,13 +84,13 @@ class ClientServer(session.SessionTest):
 
     def test_progress_reaches_the_client(self):
         simple.ProgrammableSource(Script=TELL_ALL).UpdatePipeline()
-        image = session.abdomen()
+        image = simple.SegmentationPhantom(Shape="Abdomen")  # of its own, finer voxels: ParaView leaves out quick reports
         image.UpdatePipeline()
         remote = session.segmentation(image, Resolution=16)
         progress = session.Progress("vtkFlipFreeSegmentation")
         self.addCleanup(progress.remove)
         remote.UpdatePipeline()
-        self.assertGreater(len(progress.told), 2)
+        self.assertGreater(len(progress.told), 10)
         self.assertEqual(progress.told, sorted(progress.told))
         self.assertEqual(progress.told[-1], 100)
 

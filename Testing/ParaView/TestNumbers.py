@@ -36,11 +36,12 @@ class AgainstTheCommand(session.SessionTest):
             self.assert_same(voxels(fetch(phantom, port)), voxels(fetch(simple.MedicalImageReader(FileName=file))))
 
     def test_phantom_of_its_own_voxels(self):
-        command("phantom", "vessel", "-o", self.folder)
-        phantom = simple.SegmentationPhantom(Shape="Vessel")
-        for port, name in enumerate(("vessel", "vessel-truth")):
-            read = fetch(simple.MedicalImageReader(FileName=self.file(name + ".nii.gz")))
-            self.assert_same(voxels(fetch(phantom, port)), voxels(read))
+        for shape in ("abdomen", "vessel"):
+            command("phantom", shape, "-o", self.folder)
+            phantom = simple.SegmentationPhantom(Shape=shape.capitalize())
+            for port, name in enumerate((shape, shape + "-truth")):
+                read = fetch(simple.MedicalImageReader(FileName=self.file(name + ".nii.gz")))
+                self.assert_same(voxels(fetch(phantom, port)), voxels(read))
 
     def test_segmentation(self):
         volume = self.volume

@@ -202,14 +202,14 @@ class Columns(SchedulerTest):
         x, y, z = lobed_ball.SEED
         row = {"case": "a", "volume": self.folder / "lobed.nii.gz", "seed_x": x, "seed_y": y, "seed_z": z,
                "radius": lobed_ball.RADIUS, "resolution": 16}
-        asked = flipfree.cohort([row], self.out, scheduler=self.address).rows[0]
+        asked = flipfree.cohort([row], self.out, workers=1).rows[0]
         self.assertEqual((asked["status"], asked["questions"]), ("done", 1), asked["message"])
         place = [float(word) for word in asked["first_question"].split()]
         self.assertLess(numpy.abs(numpy.subtract(place, lobed_ball.LOBE)).max(), 8)
         report = (self.out / "report.html").read_text(encoding="utf-8")
         self.assertIn(f"<dt>questions</dt><dd>1, the first at {asked['first_question']} mm</dd>", report)
         self.assertRegex(report, "(?s)a cohort of 1 row</title>.*<h1>1 row, 0 failed</h1>")
-        answered = flipfree.cohort([{**row, "inside": asked["first_question"]}], self.out, scheduler=self.address).rows[0]
+        answered = flipfree.cohort([{**row, "inside": asked["first_question"]}], self.out, workers=1).rows[0]
         self.assertEqual((answered["questions"], answered["first_question"]), (0, None))
         self.assertGreater(answered["segmented_ml"], asked["segmented_ml"] + 20)
 
