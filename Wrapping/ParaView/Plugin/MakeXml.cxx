@@ -20,6 +20,7 @@
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace
@@ -72,7 +73,7 @@ PropertyList Chosen(const PropertyList& list, const std::vector<std::string>& na
   return chosen;
 }
 
-const PropertyList& ListOf(const std::string& name)
+const PropertyList& ListOf(std::string_view name)
 {
 #define NAME(Name, ...) #Name,
   static const PropertyList organ = ListOf(SegmentationParameters());
@@ -83,7 +84,7 @@ const PropertyList& ListOf(const std::string& name)
     { "Vessel", ListOf(VesselParameters()) }, { "Surfaces", ListOf(LabelSurfaceParameters()) },
     { "Scores", ListOf(ScoreParameters()) } };
 #undef NAME
-  return lists.at(name);
+  return lists.at(std::string(name));
 }
 
 /// `Label Value` for LabelValue.
