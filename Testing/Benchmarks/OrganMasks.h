@@ -13,10 +13,7 @@ inline FlipFree::BitMask MaskOfRuns(const std::vector<FlipFree::VoxelRun>& runs,
   const FlipFree::ImageGeometry& geometry)
 {
   FlipFree::BitMask mask(geometry);
-  for (const FlipFree::VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
+  mask.InsertRuns(runs);
   return mask;
 }
 

@@ -38,6 +38,15 @@ int CountDisobeyed(const ConstraintList& constraints, const ContourMesh& mesh,
   return count;
 }
 
+GuardedStep StepBy(EmbeddingGuard& guard)
+{
+  return [&guard](const PointList& obstacles, const PointList& from, PointList& motion)
+  {
+    guard.SetObstacles(obstacles);
+    return guard.Limit(from, motion, SerialFor, NeverStop).Positions;
+  };
+}
+
 std::string Enforce(const ConstraintList& constraints, const TestSphere& sphere, PointList& points)
 {
   ConstraintEnforcer enforcer(constraints, 1);
@@ -45,7 +54,7 @@ std::string Enforce(const ConstraintList& constraints, const TestSphere& sphere,
   try
   {
     enforcer.Begin(sphere.Mesh, guard.Hulls(), points);
-    EXPECT_TRUE(enforcer.Finish(sphere.Mesh, guard, SerialFor, NeverStop, points));
+    EXPECT_TRUE(enforcer.Finish(sphere.Mesh, guard.Hulls(), StepBy(guard), NeverStop, points));
   }
   catch (const Error& error)
   {
@@ -89,12 +98,7 @@ TEST(ConstraintEnforcer, PullsTheSurfaceBackFromOutsidePoints)
   enforcer.Update(sphere.Mesh, guard.Hulls(), points);
   EXPECT_EQ(enforcer.GetObstacles().rows(), 1); // the inside point
   EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 2);
-  const GuardedStep step = [&](const PointList& obstacles, const PointList& from, PointList& motion)
-  {
-    guard.SetObstacles(obstacles);
-    return guard.Limit(from, motion, SerialFor, NeverStop).Positions;
-  };
-  EXPECT_TRUE(enforcer.PullBack(sphere.Mesh, guard.Hulls(), step, NeverStop, points));
+  EXPECT_TRUE(enforcer.PullBack(sphere.Mesh, guard.Hulls(), StepBy(guard), NeverStop, points));
   EXPECT_EQ(enforcer.GetObstacles().rows(), 4);
   EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 0);
   EXPECT_EQ(CountSelfIntersections(points, sphere.Faces()), 0);
@@ -154,12 +158,11 @@ TEST(ConstraintEnforcer, PullsTheSurfaceToAStrokeAtOnce)
     const FaceHulls& hulls = guard.Hulls();
     enforcer.Begin(sphere.Mesh, hulls, points);
     int steps = 0;
-    const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
-                               PointList& motion) -> PointList
+    const GuardedStep step = [&, move = StepBy(guard)](const PointList& obstacles,
+                               const PointList& from, PointList& motion) -> PointList
     {
       ++steps;
-      guard.SetObstacles(obstacles);
-      return guard.Limit(from, motion, SerialFor, NeverStop).Positions;
+      return move(obstacles, from, motion);
     };
     EXPECT_TRUE(enforcer.Finish(sphere.Mesh, hulls, step, NeverStop, points));
     EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 0);
@@ -177,5 +180,5 @@ TEST(ConstraintEnforcer, CanBeStopped)
   enforcer.Begin(sphere.Mesh, guard.Hulls(), points);
   int asked = 0;
   EXPECT_FALSE(enforcer.Finish(
-    sphere.Mesh, guard, SerialFor, [&](double) { return ++asked < 2; }, points));
+    sphere.Mesh, guard.Hulls(), StepBy(guard), [&](double) { return ++asked < 2; }, points));
 }

@@ -245,10 +245,7 @@ TEST(Corrections, LeaveTheRestOfTheOrganWhereAPointLiesInACleft)
       });
     ExpectObeyed(result.Organ, constraints);
     BitMask found(geometry);
-    for (const VoxelRun& run : result.Voxels)
-    {
-      found.InsertRun(run.Begin, run.End, run.J, run.K);
-    }
+    found.InsertRuns(result.Voxels);
     BitMask both = found;
     both.Intersect(organ);
     return 2.0 * static_cast<double>(both.Count()) /

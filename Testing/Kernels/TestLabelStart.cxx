@@ -34,10 +34,7 @@ ImageGeometry GridOfPieces()
 BitMask MaskOfRuns(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry)
 {
   BitMask mask(geometry);
-  for (const VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
+  mask.InsertRuns(runs);
   return mask;
 }
 

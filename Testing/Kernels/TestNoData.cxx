@@ -93,10 +93,7 @@ struct BallVolume
   BitMask MaskOf(const VolumeSegmentation& result) const
   {
     BitMask mask(this->Geometry);
-    for (const VoxelRun& run : result.Voxels)
-    {
-      mask.InsertRun(run.Begin, run.End, run.J, run.K);
-    }
+    mask.InsertRuns(result.Voxels);
     return mask;
   }
 

@@ -306,10 +306,7 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
     SCOPED_TRACE(radius);
     const Surface surface = Sphere(16, Center, radius);
     BitMask inside(organ.Geometry);
-    for (const VoxelRun& run : VoxelizeSurface(surface.Points, surface.Triangles, organ.Geometry))
-    {
-      inside.InsertRun(run.Begin, run.End, run.J, run.K);
-    }
+    inside.InsertRuns(VoxelizeSurface(surface.Points, surface.Triangles, organ.Geometry));
     BitMask expected;
     FurtherOpinions opinions;
     std::vector<DoubtfulPart> doubts;

@@ -188,11 +188,7 @@ TEST_F(OrganFeatureStops, RefitIsThatOfTheWholeImage)
                 ScatteredFor, NeverStop, model),
       Refit::Done);
     BitMask inside(this->Image.Geometry);
-    for (const VoxelRun& run :
-      VoxelizeSurface(surface.Points, surface.Triangles, this->Image.Geometry))
-    {
-      inside.InsertRun(run.Begin, run.End, run.J, run.K);
-    }
+    inside.InsertRuns(VoxelizeSurface(surface.Points, surface.Triangles, this->Image.Geometry));
     BitMask shell;
     ASSERT_TRUE(MakeInsideAndShell(settings, SerialFor, NeverStop, inside, shell));
     IntensityModel expected = start;

@@ -1,7 +1,8 @@
 #include "TableFile.h"
 
 #include "OutputFile.h"
-#include "TableText.h"
+
+#include "Exchange/TableText.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkTable.h"
@@ -12,7 +13,7 @@ namespace Command
 namespace
 {
 
-TableCell CellOf(vtkAbstractArray* column, vtkIdType row)
+FlipFree::TableCell CellOf(vtkAbstractArray* column, vtkIdType row)
 {
   const vtkVariant value = column->GetVariantValue(row);
   if (value.IsString())
@@ -31,7 +32,7 @@ TableCell CellOf(vtkAbstractArray* column, vtkIdType row)
 void WriteTable(const std::string& name, vtkTable* table)
 {
   std::vector<std::string> columns;
-  std::vector<std::vector<TableCell>> rows(table->GetNumberOfRows());
+  std::vector<std::vector<FlipFree::TableCell>> rows(table->GetNumberOfRows());
   for (vtkIdType number = 0; number < table->GetNumberOfColumns(); ++number)
   {
     vtkAbstractArray* const column = table->GetColumn(number);
@@ -41,7 +42,7 @@ void WriteTable(const std::string& name, vtkTable* table)
       rows[row].push_back(CellOf(column, static_cast<vtkIdType>(row)));
     }
   }
-  WriteText(name, TextOfTable(columns, rows));
+  WriteText(name, FlipFree::TextOfTable(columns, rows));
 }
 
 } // namespace Command

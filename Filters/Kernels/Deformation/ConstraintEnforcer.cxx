@@ -215,18 +215,6 @@ Eigen::Vector3d ConstraintEnforcer::PullOf(const PointConstraint& constraint,
   return isBeyond ? further : Eigen::Vector3d(toPoint + further);
 }
 
-bool ConstraintEnforcer::Finish(const ContourMesh& mesh, EmbeddingGuard& guard,
-  const ParallelFor& parallelFor, const Monitor& monitor, PointList& points)
-{
-  const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
-                             PointList& motion) -> PointList
-  {
-    guard.SetObstacles(obstacles);
-    return guard.Limit(from, motion, parallelFor, monitor).Positions;
-  };
-  return this->Finish(mesh, guard.Hulls(), step, monitor, points);
-}
-
 bool ConstraintEnforcer::PullBack(const ContourMesh& mesh, const FaceHulls& hulls,
   const GuardedStep& step, const Monitor& monitor, PointList& points)
 {

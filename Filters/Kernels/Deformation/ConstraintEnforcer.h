@@ -47,12 +47,9 @@ public:
   bool PullBack(const ContourMesh& mesh, const FaceHulls& hulls, const GuardedStep& step,
     const Monitor& monitor, PointList& points);
 
-  /// Pulls the surface toward the points that it does not obey yet. `guard` is the mesh's. Returns
-  /// false if the monitor stopped it. Throws Error, naming the point, if one cannot be obeyed.
-  bool Finish(const ContourMesh& mesh, EmbeddingGuard& guard, const ParallelFor& parallelFor,
-    const Monitor& monitor, PointList& points);
-
-  /// The same by any guarded steps; the hulls are of the mesh's faces.
+  /// Pulls the surface toward the points that it does not obey yet, by guarded steps; the hulls are
+  /// of the mesh's faces. Returns false if the monitor stopped it. Throws Error, naming the point,
+  /// if one cannot be obeyed.
   bool Finish(const ContourMesh& mesh, const FaceHulls& hulls, const GuardedStep& step,
     const Monitor& monitor, PointList& points);
 

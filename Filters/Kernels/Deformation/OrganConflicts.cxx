@@ -1,6 +1,6 @@
 #include "Deformation/OrganConflicts.h"
 
-#include "Deformation/JointDeformation.h"
+#include "Deformation/DeformationLoop.h"
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "Geometry/WindingNumber.h"

@@ -1,6 +1,6 @@
 #include "Deformation/OrganGroup.h"
 
-#include "Deformation/JointDeformation.h"
+#include "Deformation/DeformationLoop.h"
 #include "Error.h"
 #include "Evidence/OrganDivision.h"
 #include "Geometry/SelfIntersection.h"
@@ -187,11 +187,8 @@ BitMask OrganGroup::FixedVoxels(const ImageGeometry& region) const
   BitMask voxels(region);
   for (const FixedSurface& surface : this->Fixed)
   {
-    for (const VoxelRun& run : VoxelizeSurface(surface.Surface.Points,
-           surface.Surface.Mesh.Triangles, region, this->Threads.For))
-    {
-      voxels.InsertRun(run.Begin, run.End, run.J, run.K);
-    }
+    voxels.InsertRuns(VoxelizeSurface(surface.Surface.Points, surface.Surface.Mesh.Triangles,
+      region, this->Threads.For));
   }
   return voxels;
 }
@@ -274,7 +271,7 @@ bool OrganGroup::FindForegrounds(const Monitor& monitor, const GroupObserver& ob
 // All surfaces together.
 bool OrganGroup::Deform(const Monitor& monitor, const GroupObserver& observer)
 {
-  std::vector<DeformingOrgan*> organs;
+  std::vector<DeformingSurface*> organs;
   for (const auto& member : this->Members)
   {
     const ConstraintList all = member->All();
@@ -293,7 +290,7 @@ bool OrganGroup::Deform(const Monitor& monitor, const GroupObserver& observer)
   {
     fixed.push_back(surface.Surface);
   }
-  return JointDeformation(std::move(organs), std::move(fixed), this->Threads.For)
+  return DeformationLoop(std::move(organs), std::move(fixed), this->Threads.For)
     .Run(FlipFree::PartOf(monitor, ForegroundsEnd, 1));
 }
 
@@ -307,10 +304,7 @@ void OrganGroup::RequireDisjoint(const std::vector<VolumeSegmentation>& results)
   {
     surfaces.push_back({ result.Organ.Mesh, result.Organ.Points });
     voxels += CountVoxels(result.Voxels);
-    for (const VoxelRun& run : result.Voxels)
-    {
-      united.InsertRun(run.Begin, run.End, run.J, run.K);
-    }
+    united.InsertRuns(result.Voxels);
   }
   std::vector<const DeformableSurface*> all;
   all.reserve(surfaces.size() + this->Fixed.size());

@@ -4,7 +4,7 @@
  *
  * Each organ first finds its foreground by itself. Then the voxels that several claim are divided
  * (OrganDivision.h), and all surfaces start again from their seeds and deform jointly
- * (JointDeformation.h). None passes through another, so a surface that starts outside another does
+ * (DeformationLoop.h). None passes through another, so a surface that starts outside another does
  * not end inside it, and a voxel lies in at most one. Seeds and inside points of an organ are
  * outside points of all others. The result does not depend on the order of the organs. The surfaces
  * are refined together: where one of them cannot be refined without meeting itself or another, all

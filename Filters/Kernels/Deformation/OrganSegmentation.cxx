@@ -1,7 +1,7 @@
 #include "Deformation/OrganSegmentation.h"
 
+#include "Deformation/DeformationLoop.h"
 #include "Deformation/DeformingOrgan.h"
-#include "Deformation/JointDeformation.h"
 #include "Deformation/LabelStart.h"
 #include "Deformation/RunScheduler.h"
 #include "Geometry/SelfIntersection.h"
@@ -82,7 +82,7 @@ bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver
     return false;
   }
   kept.Organ.BeginAt(kept.Start, 0, {}, OutsidePoints::FromTheStart, observer);
-  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor) ||
+  if (!DeformationLoop({ &kept.Organ }, {}, this->Parallel).Run(monitor) ||
     !kept.Organ.CarveSurface(end))
   {
     return false;
@@ -103,7 +103,7 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
   State& kept = *this->Kept;
   this->Begin({}, nullptr, OutsidePoints::InTheLastLevel,
     [](const auto&, const auto&, const auto&, const auto&) {});
-  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor))
+  if (!DeformationLoop({ &kept.Organ }, {}, this->Parallel).Run(monitor))
   {
     return false;
   }
@@ -163,7 +163,7 @@ bool OrganSegmenter::FillForeground(const ConstraintList& constraints, const Mon
     return false;
   }
   organ.BeginAt(start, 0, constraints, OutsidePoints::AroundThem, observer);
-  return JointDeformation({ &organ }, {}, this->Parallel).Stay(PartOf(monitor, 0.7, 1));
+  return DeformationLoop({ &organ }, {}, this->Parallel).Stay(PartOf(monitor, 0.7, 1));
 }
 
 std::optional<BitMask> OrganSegmenter::ForegroundBy(const ConstraintList& constraints,

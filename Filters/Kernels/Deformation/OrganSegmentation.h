@@ -92,7 +92,7 @@ public:
   /// the monitor, which remembers a stop (RememberingMonitor), stopped it.
   bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
-  /// Begins the run that ends with the result; JointDeformation does the rest.
+  /// Begins the run that ends with the result; DeformationLoop does the rest.
   void Begin(const ConstraintList& constraints, const DeformableSurface* start,
     OutsidePoints outside, const IterationObserver& observer);
   DeformingOrgan& GetOrgan();

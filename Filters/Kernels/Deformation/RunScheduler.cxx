@@ -1,6 +1,6 @@
 #include "Deformation/RunScheduler.h"
 
-#include "Deformation/JointDeformation.h"
+#include "Deformation/DeformationLoop.h"
 #include "Error.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ bool RunScheduler::RunAllLevels(const RunInputs& inputs)
     {
       this->Organ.EndOn(this->Surface, *places);
     }
-    return JointDeformation({ &this->Organ }, {}, this->Parallel).Run(inputs.Proceed);
+    return DeformationLoop({ &this->Organ }, {}, this->Parallel).Run(inputs.Proceed);
   };
   const std::optional<bool> done =
     UnlessUnreachable([&] { return run(OutsidePoints::InTheLastLevel); });
@@ -123,7 +123,7 @@ bool RunScheduler::RunLastLevelFrom(const DeformableSurface& from, const Unchang
   this->Organ.BeginAt(from, inputs.FirstLevel, inputs.Constraints, OutsidePoints::AroundThem,
     inputs.Observer);
   this->Organ.StayIn(unchanged);
-  return JointDeformation({ &this->Organ }, {}, this->Parallel).RunLastLevel(inputs.Proceed);
+  return DeformationLoop({ &this->Organ }, {}, this->Parallel).RunLastLevel(inputs.Proceed);
 }
 
 bool RunScheduler::RunDeepChange(const RunInputs& inputs, DeepChange& change)

@@ -23,10 +23,7 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
     return false;
   }
   BitMask enclosed(smooth.Geometry);
-  for (const VoxelRun& run : inside)
-  {
-    enclosed.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
+  enclosed.InsertRuns(inside);
   carved = {};
   carved.Candidate = enclosed;
   BitMask& mask = carved.Mask;

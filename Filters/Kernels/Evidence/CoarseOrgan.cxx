@@ -51,8 +51,7 @@ BitMask CoarseOrgan::BlocksOf(const BitMask& mask) const
   {
     if (this->Grid.AreHalf(counts[block]))
     {
-      const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
-      blocks.Insert(index[0], index[1], index[2]);
+      blocks.Insert(block);
     }
   }
   return blocks;

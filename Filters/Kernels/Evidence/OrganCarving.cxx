@@ -34,8 +34,9 @@ bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const 
 {
   const VoxelBox box = CarvingBox(candidate, seed);
   BitMask mask = candidate.Cropped(box);
+  OrganCutSettings settings;
+  settings.FindsDoubts = doubts != nullptr;
   OrganCutState state;
-  state.FindsDoubts = doubts != nullptr;
   if (supported)
   {
     state.Supported = supported->Cropped(box);
@@ -48,7 +49,7 @@ bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const 
   for (int round = 0; round < CarvingRounds && !isSettled; ++round)
   {
     const auto before = static_cast<double>(mask.Count());
-    if (!CutOrgan(part, seed, noise, modality, {}, parallelFor, proceed, mask, state))
+    if (!CutOrgan(part, seed, noise, modality, settings, parallelFor, proceed, mask, state))
     {
       return false;
     }

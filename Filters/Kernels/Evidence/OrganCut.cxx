@@ -27,15 +27,6 @@ constexpr double MostEvidence = 16;
 // Of what the first cut keeps: parts that are smaller are not worth a doubt.
 constexpr double LeastDoubt = 0.06;
 
-void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
-{
-  for (const std::size_t voxel : voxels)
-  {
-    const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
-    mask.Insert(index[0], index[1], index[2]);
-  }
-}
-
 class OrganCutter
 {
 public:
@@ -85,7 +76,7 @@ public:
     {
       this->Propose(parts, cut);
       if (!cut.Execute(this->Parallel, this->Ask) ||
-        (this->State.FindsDoubts && !this->FindDoubts(parts, cut)))
+        (this->Settings.FindsDoubts && !this->FindDoubts(parts, cut)))
       {
         return false;
       }
@@ -402,8 +393,10 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
   OrganCutState ofPart;
   ofPart.Supported = state.Supported.Cropped(box);
   ofPart.Own = state.Own.Cropped(box);
-  ofPart.FindsDoubts = state.FindsDoubts;
-  Insert(VoxelsAround(part.GetGeometry(), seed), part);
+  for (const std::size_t voxel : VoxelsAround(part.GetGeometry(), seed))
+  {
+    part.Insert(voxel);
+  }
   const std::vector<std::size_t> source =
     VoxelsAround(part.GetGeometry(), { seed.Center, settings.SourceRadius * seed.Radius });
   if (!FillHoles(part, monitor) || !KeepConnected(part, source, monitor) ||

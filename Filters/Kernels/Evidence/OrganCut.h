@@ -50,6 +50,8 @@ struct OrganCutSettings
 
   /// What a block that nothing supports (OrganCutState) loses of its worth, per mm3.
   double UnsupportedLoss = 0.5;
+
+  bool FindsDoubts = true; ///< each of which takes a cut
 };
 
 /// What is known beside the image, and what one cut tells the next one. On the grid of the mask.
@@ -58,7 +60,6 @@ struct OrganCutState
   BitMask Supported; ///< what of the mask there is more evidence for; without a grid, all
   BitMask Own;       ///< parts that were found to be the organ's own, and stay so; may have no grid
   bool HasParts = false;            ///< whether there was a part to decide about
-  bool FindsDoubts = true;          ///< each of which takes a cut
   std::vector<DoubtfulPart> Doubts; ///< what might have been decided otherwise
 };
 

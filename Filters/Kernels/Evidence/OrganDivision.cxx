@@ -73,24 +73,13 @@ public:
     common.Intersect(this->Masks[1]);
     lost[0] = BitMask(common.GetGeometry());
     lost[1] = lost[0];
-    const ImageGeometry& geometry = common.GetGeometry();
-    this->Nodes = BlockNodes(geometry.NumberOfVoxels(),
-      [&](std::size_t voxel)
-      {
-        const std::array<int, 3> index = IndexOf(voxel, geometry);
-        return common(index[0], index[1], index[2]);
-      });
+    this->Nodes = BlockNodes(common.GetGeometry().NumberOfVoxels(), common);
     RegionCut cut = this->MakeCut();
     if (!cut.Execute(this->Parallel, monitor))
     {
       return false;
     }
-    common.ForEach(
-      [&](std::size_t voxel)
-      {
-        const std::array<int, 3> index = IndexOf(voxel, geometry);
-        lost[cut.IsInside(voxel) ? 1 : 0].Insert(index[0], index[1], index[2]);
-      });
+    common.ForEach([&](std::size_t voxel) { lost[cut.IsInside(voxel) ? 1 : 0].Insert(voxel); });
     return true;
   }
 
@@ -118,11 +107,9 @@ private:
       const double nearer = this->DistanceFrom(1, place) - this->DistanceFrom(0, place);
       return LikenessWorth * likeness + NearnessWorth * std::max(-1.0, std::min(1.0, nearer));
     };
-    const auto side = [&](std::size_t voxel)
-    {
-      const std::array<int, 3> index = IndexOf(voxel, this->Grid.Blocks);
-      return static_cast<double>(this->Masks[0](index[0], index[1], index[2])) -
-        static_cast<double>(this->Masks[1](index[0], index[1], index[2]));
+    const auto side = [&](std::size_t voxel) {
+      return static_cast<double>(this->Masks[0](voxel)) -
+        static_cast<double>(this->Masks[1](voxel));
     };
     RegionCut cut(
       MakeBlockNetwork(this->Grid.Blocks, this->Nodes, smooth, links, worth, side, this->Parallel),
@@ -156,8 +143,7 @@ private:
     {
       for (const std::size_t voxel : VoxelsInSphere(certain.GetGeometry(), ball))
       {
-        const std::array<int, 3> index = IndexOf(voxel, certain.GetGeometry());
-        certain.Insert(index[0], index[1], index[2]);
+        certain.Insert(voxel);
       }
     };
     add(this->Claims[claim]->Seed);

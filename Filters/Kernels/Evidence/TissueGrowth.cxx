@@ -69,12 +69,11 @@ bool TissueGrowth::Grow(const Eigen::Vector3d& place, const Monitor& monitor, Ma
   const BitMask& noData = this->Region.GetNoData();
   for (const std::size_t voxel : VoxelsInSphere(geometry, seed))
   {
-    const std::array<int, 3> index = IndexOf(voxel, geometry);
-    if (noData.HasGrid() && noData(index[0], index[1], index[2]))
+    if (noData.HasGrid() && noData(voxel))
     {
       return true;
     }
-    start.Insert(index[0], index[1], index[2]);
+    start.Insert(voxel);
   }
   const IntensityModel model =
     FitToSeed(growing.GetImage(), seed, this->Noise, this->Settings.Intensity);

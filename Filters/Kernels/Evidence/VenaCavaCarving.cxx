@@ -286,8 +286,7 @@ BitMask MaskOf(const std::vector<Eigen::Vector3d>& centers, const ImageGeometry&
     const Eigen::Vector3d between = (centers[next - 1] + centers[next]) / 2;
     for (const std::size_t voxel : VoxelsAround(geometry, { between, VeinRadius }))
     {
-      const auto [i, j, k] = IndexOf(voxel, geometry);
-      mask.Insert(i, j, k);
+      mask.Insert(voxel);
     }
   }
   return mask;
@@ -324,11 +323,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const
   carved.Remove(vein);
   const std::vector<std::size_t> sources = VoxelsAround(geometry, seed);
   if (std::any_of(sources.begin(), sources.end(),
-        [&](std::size_t voxel)
-        {
-          const auto [i, j, k] = IndexOf(voxel, geometry);
-          return vein(i, j, k);
-        }))
+        [&vein](std::size_t voxel) { return vein(voxel); }))
   {
     return true;
   }

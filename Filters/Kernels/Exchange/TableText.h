@@ -1,12 +1,15 @@
 /**
- * Tables as spreadsheet programs write them: cells are separated by commas, semicolons or tabs, or
- * by what a line `sep=;` before the table says. Cells may be in quotes. With another separator than
- * the comma, numbers may have decimal commas. Lines end as in any system.
+ * Tables as text. Read as spreadsheet programs write them: cells are separated by commas,
+ * semicolons or tabs, or by what a line `sep=;` before the table says. Cells may be in quotes. With
+ * another separator than the comma, numbers may have decimal commas. Lines end as in any system.
+ * Written as CSV: a line of column names, then a line per row, in UTF-8.
  */
 #ifndef FlipFreeTableText_h
 #define FlipFreeTableText_h
 
+#include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace FlipFree
@@ -34,6 +37,13 @@ bool AreDecimals(const std::string& cell);
 /// The same cells, numbers with decimal points in place of commas. Throws FileProblem where there
 /// are both: a comma may part thousands.
 std::vector<std::string> WithDecimalPoints(const std::string& name, std::vector<std::string> cells);
+
+using TableCell = std::variant<std::int64_t, double, std::string>;
+
+/// Numbers have the fewest digits that read back as the same. Texts are in quotes where they hold
+/// commas, quotes or line breaks.
+std::string TextOfTable(const std::vector<std::string>& columns,
+  const std::vector<std::vector<TableCell>>& rows);
 
 } // namespace FlipFree
 

@@ -6,6 +6,7 @@
 #define FlipFreeBitMask_h
 
 #include "Image/VoxelBox.h"
+#include "Image/VoxelOffsets.h"
 #include "KernelTypes.h"
 
 #include <algorithm>
@@ -38,13 +39,34 @@ public:
   {
     return (this->Row(j, k)[i / BitsOfWord] >> (i % BitsOfWord) & 1U) != 0;
   }
+  /// Of a voxel by its index in the order of the grid's voxels.
+  bool operator()(std::size_t voxel) const
+  {
+    const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
+    return (*this)(index[0], index[1], index[2]);
+  }
   void Insert(int i, int j, int k)
   {
     this->Row(j, k)[i / BitsOfWord] |= Word(1) << (i % BitsOfWord);
   }
+  void Insert(std::size_t voxel)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
+    this->Insert(index[0], index[1], index[2]);
+  }
   /// Inserts the voxels (i, j, k) with begin <= i < end.
   void InsertRun(int begin, int end, int j, int k);
-  /// Removes them.
+  /// Inserts runs such as those of SurfaceVoxelization.h; the mask begins at the voxel `first` of
+  /// their grid.
+  template <typename Runs>
+  void InsertRuns(const Runs& runs, const std::array<int, 3>& first = { { 0, 0, 0 } })
+  {
+    for (const auto& run : runs)
+    {
+      this->InsertRun(run.Begin - first[0], run.End - first[0], run.J - first[1], run.K - first[2]);
+    }
+  }
+  /// Removes the voxels (i, j, k) with begin <= i < end.
   void RemoveRun(int begin, int end, int j, int k);
   void SetRun(bool inside, int begin, int end, int j, int k)
   {

@@ -67,12 +67,8 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
     return Refit::NothingInside;
   }
   const VoxelBox box = DilatedBounds(runs, smooth.Geometry, settings.ShellEnd);
-  const auto [i, j, k] = box.Begin;
   BitMask inside(CropGeometry(smooth.Geometry, box));
-  for (const VoxelRun& run : runs)
-  {
-    inside.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
-  }
+  inside.InsertRuns(runs, box.Begin);
   return RefitToInside(smooth, box.Begin, std::move(inside), noise, settings, parallelFor,
     PartOf(monitor, 0.2, 1), model);
 }

@@ -61,10 +61,7 @@ VoxelBox Moved(VoxelBox box, const std::array<int, 3>& first)
 BitMask MaskOf(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry)
 {
   BitMask mask(geometry);
-  for (const VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
+  mask.InsertRuns(runs);
   return mask;
 }
 

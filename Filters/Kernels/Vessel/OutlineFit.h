@@ -10,10 +10,10 @@
 namespace FlipFree
 {
 
-/// `spacing`: the image's finest, mm. Deforms the surface of the result, and adds its iterations.
-StopReason FitToOutline(const VesselTree& tree, const ConstraintList& constraints, double spacing,
-  const VesselSegmentationSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor, OrganSurface& surface);
+/// `spacing`: the image's finest, mm. The reason is Aborted where the monitor stopped it.
+OrganSurface FitToOutline(const VesselTree& tree, const DeformableSurface& start,
+  const ConstraintList& constraints, double spacing, const VesselSegmentationSettings& settings,
+  const ParallelFor& parallelFor, const Monitor& monitor);
 
 } // namespace FlipFree
 

@@ -88,12 +88,10 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
     return result;
   }
   CorrectOutline(constraints, result.Tree);
-  DeformableSurface start = MakeStart(result.Tree, PlacesOutside(constraints), threading.For);
-  result.Surface.Mesh = std::move(start.Mesh);
-  result.Surface.Points = std::move(start.Points);
+  const DeformableSurface start = MakeStart(result.Tree, PlacesOutside(constraints), threading.For);
   result.StageSeconds[1] = watch.Lap();
-  result.Surface.Reason = FitToOutline(result.Tree, constraints, volume.Geometry.Spacing.minCoeff(),
-    settings, threading.For, fitting, result.Surface);
+  result.Surface = FitToOutline(result.Tree, start, constraints, volume.Geometry.Spacing.minCoeff(),
+    settings, threading.For, fitting);
   result.StageSeconds[2] = watch.Lap();
   if (result.Surface.Reason == StopReason::Aborted)
   {

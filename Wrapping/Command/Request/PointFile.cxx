@@ -6,13 +6,14 @@
 #include "Warning.h"
 
 #include "Exchange/PointTable.h"
+#include "Exchange/TableText.h"
+#include "MessageText.h"
 #include "TextWords.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <sstream>
 
@@ -59,21 +60,17 @@ CorrectionPoint PointOfControl(const std::string& words, const std::array<double
 
 std::string TableOf(const std::vector<CorrectionPoint>& points)
 {
-  std::string text = "kind,x,y,z,radius\n";
+  std::vector<std::vector<FlipFree::TableCell>> rows;
   for (const CorrectionPoint& point : points)
   {
-    char line[160];
-    std::snprintf(line, sizeof(line), "%s,%.17g,%.17g,%.17g,", FlipFree::NameOf(point.Kind),
-      point.Place[0], point.Place[1], point.Place[2]);
-    text += line;
+    rows.push_back({ FlipFree::NameOf(point.Kind), point.Place[0], point.Place[1], point.Place[2],
+      std::string() });
     if (point.Kind == ConstraintKind::Seed)
     {
-      std::snprintf(line, sizeof(line), "%.17g", point.Radius);
-      text += line;
+      rows.back().back() = point.Radius;
     }
-    text += "\n";
   }
-  return text;
+  return FlipFree::TextOfTable({ "kind", "x", "y", "z", "radius" }, rows);
 }
 
 std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
@@ -81,14 +78,12 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
   Json controls = Json::array();
   for (const CorrectionPoint& point : points)
   {
-    std::ostringstream label;
-    label.precision(17);
-    label << FlipFree::NameOf(point.Kind);
+    std::string label = FlipFree::NameOf(point.Kind);
     if (point.Kind == ConstraintKind::Seed)
     {
-      label << " " << point.Radius;
+      label += " " + FlipFree::ExactTextOf(point.Radius);
     }
-    controls.push_back({ { "id", std::to_string(controls.size() + 1) }, { "label", label.str() },
+    controls.push_back({ { "id", std::to_string(controls.size() + 1) }, { "label", label },
       { "position", point.Place }, { "selected", true }, { "locked", false },
       { "visibility", true }, { "positionStatus", "defined" } });
   }

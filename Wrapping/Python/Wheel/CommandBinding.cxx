@@ -8,7 +8,6 @@
 #include "FileFormats.h"
 #include "SegmentPlan.h"
 #include "Summary.h"
-#include "TableText.h"
 #include "Warning.h"
 
 #include "Vessel/VesselParameters.h"
@@ -466,7 +465,6 @@ void BindCommand(nb::module_& module)
     { return RowsOf(ReadPoints(name, whatTakesPlaces)); });
   module.def("read_places", &ReadPlaces);
   module.def("points_text", &TextOfRows);
-  module.def("table_text", &TextOfTable);
   module.def("named_provenance", &NamedProvenance);
   module.def("session_text", &SessionText);
   module.def("organ_of_file", [](const std::string& file) { return OrganOfFiles({ file }); });

@@ -16,6 +16,7 @@
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/variant.h>
 
 namespace FlipFree
 {
@@ -293,6 +294,7 @@ void BindExchange(nb::module_& module)
     .def("decode_digits", &DecodeAllDigits);
   module.def("header_files", &HeaderFilesOf);
   module.def("nifti_header", &NiftiBytes);
+  module.def("table_text", &TextOfTable);
   module.def("broken_stream",
     [](const std::string& name)
     { return std::string(IncompleteVoxels(name, Incompleteness::BrokenStream).what()); });

@@ -1,5 +1,6 @@
 // Two organs that deform under one guard: what belongs to one is nothing to the other.
-#include "Deformation/JointDeformation.h"
+#include "Deformation/DeformationLoop.h"
+#include "Deformation/DeformingOrgan.h"
 #include "ExampleMasks.h"
 
 #include <gtest/gtest.h>
@@ -52,9 +53,9 @@ public:
     return organ;
   }
 
-  bool Run(std::vector<DeformingOrgan*> organs, std::vector<DeformableSurface> fixed = {}) const
+  bool Run(std::vector<DeformingSurface*> organs, std::vector<DeformableSurface> fixed = {}) const
   {
-    return JointDeformation(std::move(organs), std::move(fixed), this->Parallel).Run(NeverStop);
+    return DeformationLoop(std::move(organs), std::move(fixed), this->Parallel).Run(NeverStop);
   }
 
   static constexpr double Radius = 13;
@@ -72,7 +73,7 @@ private:
 } // namespace
 
 // An outside point of the left one may lie in the right one, which passes it when it is refined.
-TEST(JointDeformation, IsHeldByEachOrgansOwnPoints)
+TEST(DeformationLoop, IsHeldByEachOrgansOwnPoints)
 {
   DistantBalls balls;
   PointList coarse;
@@ -103,7 +104,7 @@ TEST(JointDeformation, IsHeldByEachOrgansOwnPoints)
 }
 
 // The graver of two reasons: a surface that is nobody's is worse than a coarse one.
-TEST(JointDeformation, StillSaysThatNoBoundaryWasFoundWhereItCannotRefine)
+TEST(DeformationLoop, StillSaysThatNoBoundaryWasFoundWhereItCannotRefine)
 {
   DistantBalls balls;
   OrganSegmentationSettings blind = balls.Settings;

@@ -1,4 +1,4 @@
-#include "Deformation/JointDeformation.h"
+#include "Deformation/DeformationLoop.h"
 
 #include "Geometry/WindingNumber.h"
 #include "Guard/SurfaceRefinement.h"
@@ -28,12 +28,12 @@ bool NoneIsWithinAnother(const std::vector<const DeformableSurface*>& surfaces)
   return true;
 }
 
-JointDeformation::JointDeformation(std::vector<DeformingOrgan*> organs,
+DeformationLoop::DeformationLoop(std::vector<DeformingSurface*> surfaces,
   std::vector<DeformableSurface> fixed, const ParallelFor& parallelFor)
-  : Organs(std::move(organs))
+  : Surfaces(std::move(surfaces))
   , FixedParts(std::move(fixed))
   , Parallel(parallelFor)
-  , Levels(this->Organs.front()->GetSettings().Schedule.NumberOfLevels())
+  , Levels(this->Surfaces.front()->GetSchedule().NumberOfLevels())
 {
   this->Fixed.Points.resize(0, 3);
   for (const DeformableSurface& part : this->FixedParts)
@@ -43,7 +43,7 @@ JointDeformation::JointDeformation(std::vector<DeformingOrgan*> organs,
   }
 }
 
-bool JointDeformation::Run(const Monitor& monitor)
+bool DeformationLoop::Run(const Monitor& monitor)
 {
   const auto until = [&](int level)
   { return [&monitor, level, this](double) { return monitor(double(level) / this->Levels); }; };
@@ -59,9 +59,9 @@ bool JointDeformation::Run(const Monitor& monitor)
         {
           return false;
         }
-        for (DeformingOrgan* organ : this->Organs)
+        for (DeformingSurface* surface : this->Surfaces)
         {
-          organ->SetReason(ReasonOfUnrefined(organ->GetSurface().Reason));
+          surface->SetReason(ReasonOfUnrefined(surface->GetSurface().Reason));
         }
         break;
       }
@@ -79,75 +79,71 @@ bool JointDeformation::Run(const Monitor& monitor)
   return this->FinishConstraints(true, until(this->Levels));
 }
 
-bool JointDeformation::RunLastLevel(const Monitor& monitor)
+bool DeformationLoop::RunLastLevel(const Monitor& monitor)
 {
   const int last = this->Levels - 1;
   return this->IterateLevel(last, monitor) && this->FinishConstraints(false, monitor) &&
     this->IterateLevel(last, monitor) && this->FinishConstraints(true, monitor);
 }
 
-bool JointDeformation::Stay(const Monitor& monitor)
+bool DeformationLoop::Stay(const Monitor& monitor)
 {
-  for (DeformingOrgan* organ : this->Organs)
+  for (DeformingSurface* surface : this->Surfaces)
   {
-    organ->Stay();
+    surface->Stay();
   }
   return monitor(0) && this->FinishConstraints(true, monitor);
 }
 
-bool JointDeformation::HasGuard() const
+bool DeformationLoop::HasGuard() const
 {
-  return this->Organs.front()->GetSettings().Step.Guard;
+  return this->Surfaces.front()->HasGuard();
 }
 
-void JointDeformation::Unite()
+void DeformationLoop::Unite()
 {
   this->Mesh = {};
   this->Parts.clear();
-  for (const DeformingOrgan* organ : this->Organs)
+  for (const DeformingSurface* surface : this->Surfaces)
   {
     const int begin = this->Mesh.NumberOfPoints();
-    AppendMesh(organ->GetSurface().Mesh, this->Mesh);
+    AppendMesh(surface->GetSurface().Mesh, this->Mesh);
     this->Parts.push_back({ begin, this->Mesh.NumberOfPoints() });
   }
 }
 
-PointList JointDeformation::PartOf(const PointList& all, std::size_t organ) const
+PointList DeformationLoop::PartOf(const PointList& all, std::size_t surface) const
 {
-  const VertexRange& part = this->Parts[organ];
+  const VertexRange& part = this->Parts[surface];
   return all.middleRows(part.Begin, part.End - part.Begin);
 }
 
-// Each organ is stopped by its own obstacles only: what lies outside one may lie inside another.
-PointList JointDeformation::UniteObstacles(std::vector<VertexRange>& ranges) const
+// Each surface is stopped by its own obstacles only: what lies outside one may lie inside another.
+PointList DeformationLoop::UniteObstacles(std::vector<VertexRange>& ranges) const
 {
   PointList obstacles(0, 3);
   ranges.clear();
-  for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+  for (std::size_t surface = 0; surface < this->Surfaces.size(); ++surface)
   {
-    AppendPoints(this->Organs[organ]->GetObstacles(), obstacles);
-    ranges.resize(obstacles.rows(), this->Parts[organ]);
+    AppendPoints(this->Surfaces[surface]->GetObstacles(), obstacles);
+    ranges.resize(obstacles.rows(), this->Parts[surface]);
   }
   return obstacles;
 }
 
-bool JointDeformation::Refit(const Monitor& proceed)
+bool DeformationLoop::Refit(const Monitor& proceed)
 {
-  return std::all_of(this->Organs.begin(), this->Organs.end(),
-    [&](DeformingOrgan* organ)
-    {
-      return !organ->GetSettings().Feature.ReestimateIntensities || organ->IsSettled() ||
-        organ->RefitForeground(proceed);
-    });
+  return std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
+    [&](DeformingSurface* surface) { return surface->Refit(proceed); });
 }
 
-bool JointDeformation::Refine(const Monitor& proceed)
+bool DeformationLoop::Refine(const Monitor& proceed)
 {
   this->Unite();
   PointList points(0, 3);
-  for (const DeformingOrgan* organ : this->Organs)
+  for (const DeformingSurface* surface : this->Surfaces)
   {
-    AppendPoints(organ->GetSurface().Points, points);
+    AppendPoints(surface->GetSurface().Points, points);
   }
   RefinementSurroundings surroundings;
   surroundings.Obstacles = this->UniteObstacles(surroundings.Ranges);
@@ -162,7 +158,7 @@ bool JointDeformation::Refine(const Monitor& proceed)
   // The refinement of the union is the union of the refinements: vertices come in the order of the
   // old corners.
   std::vector<DeformableSurface> parts;
-  if (this->Organs.size() == 1)
+  if (this->Surfaces.size() == 1)
   {
     parts.push_back({ std::move(refined.Mesh), std::move(refined.Points) });
   }
@@ -170,10 +166,10 @@ bool JointDeformation::Refine(const Monitor& proceed)
   {
     refined.Guard.reset(); // its faces come in another order
     Eigen::Index first = 0;
-    for (const DeformingOrgan* organ : this->Organs)
+    for (const DeformingSurface* surface : this->Surfaces)
     {
-      const FaceList faces = RefineFaces(organ->GetSurface().Mesh).Faces;
-      const auto count = static_cast<int>(organ->GetSurface().Mesh.Faces.Connectivity.size());
+      const FaceList faces = RefineFaces(surface->GetSurface().Mesh).Faces;
+      const auto count = static_cast<int>(surface->GetSurface().Mesh.Faces.Connectivity.size());
       parts.push_back({ BuildContourMesh(count, faces), refined.Points.middleRows(first, count) });
       first += count;
     }
@@ -190,16 +186,17 @@ bool JointDeformation::Refine(const Monitor& proceed)
       return false;
     }
   }
-  for (std::size_t organ = 0; organ < parts.size(); ++organ)
+  for (std::size_t surface = 0; surface < parts.size(); ++surface)
   {
-    this->Organs[organ]->Replace(std::move(parts[organ].Mesh), std::move(parts[organ].Points));
+    this->Surfaces[surface]->Replace(std::move(parts[surface].Mesh),
+      std::move(parts[surface].Points));
   }
   this->Guard = std::move(refined.Guard);
   return true;
 }
 
 // The refinement leaves one that it has checked the refined surface with.
-void JointDeformation::MakeGuard()
+void DeformationLoop::MakeGuard()
 {
   if (this->HasGuard() && !this->Guard)
   {
@@ -209,15 +206,15 @@ void JointDeformation::MakeGuard()
   }
 }
 
-bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
+bool DeformationLoop::IterateLevel(int level, const Monitor& monitor)
 {
   this->Unite();
   this->MakeGuard();
-  for (DeformingOrgan* organ : this->Organs)
+  for (DeformingSurface* surface : this->Surfaces)
   {
-    organ->BeginLevel(level);
+    surface->BeginLevel(level);
   }
-  const int iterations = this->Organs.front()->GetSettings().Schedule.MaximumIterations;
+  const int iterations = this->Surfaces.front()->GetSchedule().MaximumIterations;
   const RememberingMonitor remembering(monitor);
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
@@ -230,9 +227,9 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
     }
     if (this->Guard)
     {
-      for (DeformingOrgan* organ : this->Organs)
+      for (DeformingSurface* surface : this->Surfaces)
       {
-        organ->UpdateObstacles();
+        surface->UpdateObstacles();
       }
       std::vector<VertexRange> ranges;
       PointList obstacles = this->UniteObstacles(ranges);
@@ -243,30 +240,30 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
     {
       return false;
     }
-    if (std::all_of(this->Organs.begin(), this->Organs.end(),
-          [](const DeformingOrgan* organ) { return organ->HasLevelEnded(); }))
+    if (std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
+          [](const DeformingSurface* surface) { return surface->HasLevelEnded(); }))
     {
       return true;
     }
   }
-  for (DeformingOrgan* organ : this->Organs)
+  for (DeformingSurface* surface : this->Surfaces)
   {
-    if (!organ->HasLevelEnded())
+    if (!surface->HasLevelEnded())
     {
-      organ->SetReason(StopReason::IterationLimit);
+      surface->SetReason(StopReason::IterationLimit);
     }
   }
   return true;
 }
 
-void JointDeformation::IterateOnce(const Monitor& proceed)
+void DeformationLoop::IterateOnce(const Monitor& proceed)
 {
   PointList points(0, 3);
   PointList motion(0, 3);
-  for (DeformingOrgan* organ : this->Organs)
+  for (DeformingSurface* surface : this->Surfaces)
   {
-    AppendPoints(organ->FindMotion(), motion);
-    AppendPoints(organ->GetSurface().Points, points);
+    AppendPoints(surface->FindMotion(), motion);
+    AppendPoints(surface->GetSurface().Points, points);
   }
   GuardReport limited;
   Stopwatch watch;
@@ -276,36 +273,36 @@ void JointDeformation::IterateOnce(const Monitor& proceed)
     AppendPoints(PointList::Zero(this->Fixed.Points.rows(), 3), motion);
     AppendPoints(this->Fixed.Points, points);
     limited = this->Guard->Limit(points, motion, this->Parallel, proceed);
-    seconds = watch.Lap() / static_cast<double>(this->Organs.size());
+    seconds = watch.Lap() / static_cast<double>(this->Surfaces.size());
   }
   else
   {
     limited.Positions = points + motion;
     limited.IsGuarded.assign(points.rows(), 0);
   }
-  for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+  for (std::size_t surface = 0; surface < this->Surfaces.size(); ++surface)
   {
-    if (!this->Organs[organ]->HasLevelEnded())
+    if (!this->Surfaces[surface]->HasLevelEnded())
     {
-      const VertexRange& part = this->Parts[organ];
+      const VertexRange& part = this->Parts[surface];
       const auto guarded =
         std::count(limited.IsGuarded.begin() + part.Begin, limited.IsGuarded.begin() + part.End, 1);
-      this->Organs[organ]->Move(this->PartOf(limited.Positions, organ), static_cast<int>(guarded),
-        seconds);
+      this->Surfaces[surface]->Move(this->PartOf(limited.Positions, surface),
+        static_cast<int>(guarded), seconds);
     }
   }
 }
 
-bool JointDeformation::FinishConstraints(bool isLast, const Monitor& monitor)
+bool DeformationLoop::FinishConstraints(bool isLast, const Monitor& monitor)
 {
-  if (std::none_of(this->Organs.begin(), this->Organs.end(),
-        [](const DeformingOrgan* organ) { return organ->HasConstraints(); }))
+  if (std::none_of(this->Surfaces.begin(), this->Surfaces.end(),
+        [](const DeformingSurface* surface) { return surface->HasConstraints(); }))
   {
     return true;
   }
   this->Unite();
   this->MakeGuard();
-  for (std::size_t pulled = 0; pulled < this->Organs.size(); ++pulled)
+  for (std::size_t pulled = 0; pulled < this->Surfaces.size(); ++pulled)
   {
     const VertexRange& part = this->Parts[pulled];
     const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
@@ -313,9 +310,9 @@ bool JointDeformation::FinishConstraints(bool isLast, const Monitor& monitor)
     {
       this->Guard->SetObstacles(obstacles, std::vector<VertexRange>(obstacles.rows(), part));
       PointList points(0, 3);
-      for (const DeformingOrgan* organ : this->Organs)
+      for (const DeformingSurface* surface : this->Surfaces)
       {
-        AppendPoints(organ->GetSurface().Points, points);
+        AppendPoints(surface->GetSurface().Points, points);
       }
       AppendPoints(this->Fixed.Points, points);
       points.middleRows(part.Begin, from.rows()) = from;
@@ -324,7 +321,7 @@ bool JointDeformation::FinishConstraints(bool isLast, const Monitor& monitor)
       const GuardReport limited = this->Guard->Limit(points, motions, this->Parallel, monitor);
       return this->PartOf(limited.Positions, pulled);
     };
-    if (!this->Organs[pulled]->FinishConstraints(isLast, step, monitor))
+    if (!this->Surfaces[pulled]->FinishConstraints(isLast, step, monitor))
     {
       return false;
     }

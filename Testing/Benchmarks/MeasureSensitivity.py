@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+"""How much each number of the evidence matters: it is changed by a fifth either way, one number at a time.
+
+    MeasureSensitivity.py BUILD [--data DIR] [--cases FILE...] [--only TEXT] [--rooms ROOM...] [--jobs N] [--list]
+
+BUILD takes a copy of the sources in which each number of the rooms that has a name is read at the start of the program,
+MeasureCases built from it, and one table of results per change: what is there is not measured again, so a run can be
+interrupted; empty it when the sources have changed. Printed as Markdown, the number that matters most first: its value, the greatest change of the median of a
+group of organs, of the mean of all rows, how many rows change at all, and those below 0.8.
+
+A number here is a literal in the definition of a constant, or the default of a member. Counts change by one at least.
+"""
+
+import argparse
+import concurrent.futures
+import csv
+import os
+import pathlib
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+ROOMS = ["Evidence", "Intensity"]
+FACTORS = (0.8, 1.2)
+# The compiler has to know them: they count the members of arrays.
+FIXED = {
+    "SurfaceConfidence.cxx": ["FirstStep", "LastStep"],
+    "VenaCavaCarving.cxx": ["Reach", "Margin", "RimEnd", "GridStep"],
+}
+VARIED = "Varied.h"
+TYPES = r"(?:double|float|int|std::size_t|std::array<(?:double|float|int), \d+>|[A-Z]\w+)"
+DEFINITION = re.compile(
+    r"^(?P<indent> *)(?P<qualifiers>(?:static |inline )*)(?P<constant>constexpr |)"
+    rf"(?P<type>{TYPES}) (?P<name>[A-Z]\w*)(?P<array>\[\])?(?P<begin> = |\{{)(?P<value>[^;]*);"
+)
+LITERAL = re.compile(r"(?<![\w.])(?P<sign>-?)(?P<number>\d+\.\d+(?:e-?\d+)?F?|\d+(?:e-?\d+)?F?)(?![\w.])")
+# Of the copy: a number by its name, or what the environment makes of it.
+HEADER = """#pragma once
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+template <typename T>
+T Varied(const char* name, T value)
+{
+  const char* const varied = std::getenv("VARIED_NAME");
+  if (!varied || std::strcmp(varied, name) != 0)
+  {
+    return value;
+  }
+  const double factor = std::atof(std::getenv("VARIED_FACTOR"));
+  const double changed = factor * static_cast<double>(value);
+  if (static_cast<T>(1.5) != static_cast<T>(1))
+  {
+    return static_cast<T>(changed);
+  }
+  const double rounded = std::round(changed);
+  return static_cast<T>(rounded != static_cast<double>(value) ? rounded
+                        : factor > 1                          ? rounded + 1
+                                                              : rounded - 1);
+}
+"""
+
+
+def is_a_guard(literal):
+    """Whether the literal only keeps out zeros or stands for no value: nothing is to be learned by a fifth of it."""
+    size = abs(float(literal.rstrip("F")))
+    return size == 0 or size < 1e-4 or size >= 1e5
+
+
+def varied(line, file, names):
+    """The line with its numbers read by name; the names go to the list."""
+    definition = DEFINITION.match(line)
+    is_member = definition and not definition["constant"]
+    if not definition or (is_member and not definition["indent"]):
+        return line
+    value = definition["value"]
+    if definition["name"] in FIXED.get(file.split("/")[1], []):
+        return line
+    literals = [one for one in LITERAL.finditer(value) if not is_a_guard(one["number"])]
+    if not literals:
+        of_varied = any(re.search(rf"\b{re.split('[:[]', name)[1]}\b", value) for name in names)
+        return line.replace("constexpr ", "const ", 1) if of_varied else line
+    pieces, end = [], 0
+    for count, one in enumerate(literals):
+        name = f"{file}:{definition['name']}" + (f"[{count}]" if len(literals) > 1 else "")
+        number = one["sign"] + one["number"]
+        kind = definition["type"]
+        if kind in ("double", "float", "std::size_t", "int"):
+            number = f"static_cast<{kind}>({number})"
+        names[name] = one["sign"] + one["number"].rstrip("F")
+        pieces += [value[end : one.start()], f'Varied("{name}", {number})']
+        end = one.end()
+    pieces.append(value[end:])
+    changed = line[: definition.start("value")] + "".join(pieces) + line[definition.end("value") :]
+    if definition["constant"]:
+        is_inline = "static" in definition["qualifiers"] or (not definition["indent"] and file.endswith(".h"))
+        changed = changed.replace("constexpr ", "inline const " if is_inline else "const ", 1)
+    return changed
+
+
+def make_copy(build, rooms):
+    """Copies the sources; returns each number by its name."""
+    copy = build / "source"
+    copy.mkdir(parents=True, exist_ok=True)
+    tracked = subprocess.run(["git", "ls-files", "-z"], cwd=SOURCE, check=True, capture_output=True, text=True)
+    names = {}
+    for path in filter(None, tracked.stdout.split("\0")):
+        source, target = SOURCE / path, copy / path
+        if not source.is_file():
+            continue
+        target.parent.mkdir(parents=True, exist_ok=True)
+        parts = pathlib.PurePath(path).parts
+        if parts[:2] == ("Filters", "Kernels") and parts[2] in rooms and path.endswith((".h", ".cxx")):
+            file = f"{parts[2]}/{parts[-1]}"
+            lines = source.read_text().split("\n")
+            text = "\n".join(varied(line, file, names) for line in lines)
+            if "Varied(" in text:
+                text = text.replace("\n#include", f'\n#include "{VARIED}"\n#include', 1)
+        else:
+            text = None
+        if text is None:
+            if not target.exists() or target.stat().st_mtime < source.stat().st_mtime:
+                shutil.copy(source, target)
+        elif not target.exists() or target.read_text() != text:
+            target.write_text(text)
+    header = copy / "Filters" / "Kernels" / VARIED
+    if not header.exists() or header.read_text() != HEADER:
+        header.write_text(HEADER)
+    return names
+
+
+def make_program(build):
+    """Builds MeasureCases of the copy."""
+    folder = build / "build"
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DFLIPFREE_BUILD_BENCHMARKS=ON", "-DCMAKE_UNITY_BUILD=ON", "-GNinja"]
+    subprocess.run(["cmake", "-S", build / "source", "-B", folder, *options], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", folder, "--target", "MeasureCases"], check=True, stdout=sys.stderr)
+    return folder / "bin" / "MeasureCases"
+
+
+def measure(program, table, options, name="", factor=1.0):
+    """The rows of one run: (organ, Dice, hash) by the name of the case."""
+    if not table.exists():
+        part = table.with_suffix(".part")
+        command = [program, "--data", options.data, "--threads", "1", "--write-gate", part, "--only", options.only]
+        for cases in options.cases:
+            command += ["--cases", cases]
+        environment = dict(os.environ, VARIED_NAME=name, VARIED_FACTOR=str(factor))
+        run = subprocess.run(command, env=environment, capture_output=True, text=True)
+        if run.returncode != 0:
+            return f"{name} x {factor}: {run.stderr.strip()}"
+        part.rename(table)
+    with open(table, newline="") as file:
+        return {row["case"]: (row["organ"], float(row["dice"]), row["hash"]) for row in csv.DictReader(file)}
+
+
+def group(organ):
+    """Left and right are one group."""
+    return organ.replace("-left", "").replace("-right", "")
+
+
+def summary(rows):
+    """Medians by group, mean, and the number of rows below 0.8."""
+    groups = {}
+    for organ, dice, _ in rows.values():
+        groups.setdefault(group(organ), []).append(dice)
+    medians = {organ: statistics.median(scores) for organ, scores in groups.items()}
+    scores = [dice for _, dice, _ in rows.values()]
+    return medians, statistics.fmean(scores), sum(dice < 0.8 for dice in scores)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--data", default=str(SOURCE.parent / "shared" / "data"))
+    parser.add_argument("--cases", nargs="+", default=["development.csv"])
+    parser.add_argument("--only", default="", help="rows whose name contains this text")
+    parser.add_argument("--rooms", nargs="+", default=ROOMS)
+    parser.add_argument("--files", default="", help="regular expression: the files of the rooms whose numbers are changed")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--list", action="store_true", help="only names and values")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    names = make_copy(build, options.rooms)
+    names = {name: value for name, value in names.items() if re.search(options.files, name)}
+    if options.list:
+        for name, value in names.items():
+            print(name, value)
+        return
+    program = make_program(build)
+    tables = build / "tables" / re.sub(r"[^\w.]+", "-", " ".join([*options.cases, options.only]).strip())
+    tables.mkdir(parents=True, exist_ok=True)
+    before = measure(program, tables / "unchanged.csv", options)
+    medians, mean, low = summary(before)
+    print(f"{len(before)} rows, mean {mean:.4f}, {low} below 0.8; medians:")
+    print(", ".join(f"{organ} {median:.3f}" for organ, median in sorted(medians.items())), "\n")
+
+    changes = {}
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for name in names:
+            for factor in FACTORS:
+                table = tables / (re.sub(r"[^\w]+", "-", name) + f"-{factor}.csv")
+                changes[name, factor] = pool.submit(measure, program, table, options, name, factor)
+    lines = []
+    for name, value in names.items():
+        worst, cells = 0, []
+        for factor in FACTORS:
+            rows = changes[name, factor].result()
+            if isinstance(rows, str):
+                print(rows, file=sys.stderr)
+                cells += ["fails", "", "", ""]
+                continue
+            after, mean_after, low_after = summary(rows)
+            shift, organ = max((abs(after[organ] - medians[organ]), organ) for organ in medians)
+            worst = max(worst, shift)
+            count = sum(rows[case][2] != before[case][2] for case in before)
+            moved = f"{after[organ] - medians[organ]:+.3f} {organ}" if shift >= 5e-4 else "0"
+            cells += [moved, f"{mean_after - mean:+.4f}", f"{count}", f"{low_after}"]
+        lines.append((worst, f"| {name} | {value} | " + " | ".join(cells) + " |"))
+    heads = ["median", "mean", "rows", "below 0.8"]
+    columns = ["number", "value"] + [f"x {factor}: {head}" for factor in FACTORS for head in heads]
+    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
+    for _, line in sorted(lines, key=lambda line: -line[0]):
+        print(line)
+
+
+if __name__ == "__main__":
+    main()
