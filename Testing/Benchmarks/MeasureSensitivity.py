@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""How much each number of the evidence matters: it is changed by a fifth either way, one number at a time.
+"""How much each named number of the evidence matters: it is changed by a fifth either way, one at a time.
 
-    MeasureSensitivity.py BUILD [--data DIR] [--cases FILE...] [--only TEXT] [--rooms ROOM...] [--jobs N] [--list]
+    MeasureSensitivity.py FOLDER [--data DIR] [--cases FILE...] [--only TEXT] [--rooms ROOM...] [--files PATTERN]
+                          [--jobs N] [--list]
 
-BUILD takes a copy of the sources in which each number of the rooms that has a name is read at the start of the program,
-MeasureCases built from it, and one table of results per change: what is there is not measured again, so a run can be
-interrupted; empty it when the sources have changed. Printed as Markdown, the number that matters most first: its value, the greatest change of the median of a
-group of organs, of the mean of all rows, how many rows change at all, and those below 0.8.
+FOLDER takes a copy of the sources in which each number of the rooms that has a name is read when the program starts,
+MeasureCases built from it, and one table of results per change. What is there is not measured again, so a run can be
+interrupted; empty the folder `tables` when results have changed. Printed as Markdown, the number that matters most
+first: its value, the greatest change of the median of a group of organs, the change of the mean of all rows, how many
+surfaces change at all, and how many rows are below 0.8.
 
-A number here is a literal in the definition of a constant, or the default of a member. Counts change by one at least.
+A number here is a literal in the definition of a constant whose name begins with a capital, or the default of a member.
+Counts change by one at least. Zeros and limits that only keep zeros out are left alone, and so is what the compiler has
+to know (FIXED).
 """
 
 import argparse
 import concurrent.futures
 import csv
+import math
 import os
 import pathlib
 import re
@@ -37,7 +42,7 @@ DEFINITION = re.compile(
     rf"(?P<type>{TYPES}) (?P<name>[A-Z]\w*)(?P<array>\[\])?(?P<begin> = |\{{)(?P<value>[^;]*);"
 )
 LITERAL = re.compile(r"(?<![\w.])(?P<sign>-?)(?P<number>\d+\.\d+(?:e-?\d+)?F?|\d+(?:e-?\d+)?F?)(?![\w.])")
-# Of the copy: a number by its name, or what the environment makes of it.
+# Each number as it is, unless the environment names it.
 HEADER = """#pragma once
 #include <cmath>
 #include <cstdlib>
@@ -91,6 +96,8 @@ def varied(line, file, names):
         kind = definition["type"]
         if kind in ("double", "float", "std::size_t", "int"):
             number = f"static_cast<{kind}>({number})"
+        if name in names:
+            raise ValueError(f"two numbers are called {name}; give one another name")
         names[name] = one["sign"] + one["number"].rstrip("F")
         pieces += [value[end : one.start()], f'Varied("{name}", {number})']
         end = one.end()
@@ -98,6 +105,7 @@ def varied(line, file, names):
     changed = line[: definition.start("value")] + "".join(pieces) + line[definition.end("value") :]
     if definition["constant"]:
         is_inline = "static" in definition["qualifiers"] or (not definition["indent"] and file.endswith(".h"))
+        is_inline = is_inline and "inline" not in definition["qualifiers"]
         changed = changed.replace("constexpr ", "inline const " if is_inline else "const ", 1)
     return changed
 
@@ -108,7 +116,8 @@ def make_copy(build, rooms):
     copy.mkdir(parents=True, exist_ok=True)
     tracked = subprocess.run(["git", "ls-files", "-z"], cwd=SOURCE, check=True, capture_output=True, text=True)
     names = {}
-    for path in filter(None, tracked.stdout.split("\0")):
+    # Headers first: what depends on their numbers is no constant for the compiler either.
+    for path in sorted(filter(None, tracked.stdout.split("\0")), key=lambda path: (not path.endswith(".h"), path)):
         source, target = SOURCE / path, copy / path
         if not source.is_file():
             continue
@@ -152,7 +161,7 @@ def measure(program, table, options, name="", factor=1.0):
         environment = dict(os.environ, VARIED_NAME=name, VARIED_FACTOR=str(factor))
         run = subprocess.run(command, env=environment, capture_output=True, text=True)
         if run.returncode != 0:
-            return f"{name} x {factor}: {run.stderr.strip()}"
+            raise RuntimeError(f"{name} x {factor}: {run.stderr.strip()}")
         part.rename(table)
     with open(table, newline="") as file:
         return {row["case"]: (row["organ"], float(row["dice"]), row["hash"]) for row in csv.DictReader(file)}
@@ -175,16 +184,16 @@ def summary(rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--data", default=str(SOURCE.parent / "shared" / "data"))
     parser.add_argument("--cases", nargs="+", default=["development.csv"])
     parser.add_argument("--only", default="", help="rows whose name contains this text")
     parser.add_argument("--rooms", nargs="+", default=ROOMS)
-    parser.add_argument("--files", default="", help="regular expression: the files of the rooms whose numbers are changed")
+    parser.add_argument("--files", default="", help="regular expression: which numbers, as Room/File:Name")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--list", action="store_true", help="only names and values")
     options = parser.parse_args()
-    build = options.build.resolve()
+    build = options.folder.resolve()
     names = make_copy(build, options.rooms)
     names = {name: value for name, value in names.items() if re.search(options.files, name)}
     if options.list:
@@ -192,39 +201,48 @@ def main():
             print(name, value)
         return
     program = make_program(build)
-    tables = build / "tables" / re.sub(r"[^\w.]+", "-", " ".join([*options.cases, options.only]).strip())
+    selection = " ".join([options.data, *options.cases, options.only]).strip()
+    tables = build / "tables" / re.sub(r"[^\w.]+", "-", selection)
     tables.mkdir(parents=True, exist_ok=True)
     before = measure(program, tables / "unchanged.csv", options)
+    if not before:
+        sys.exit(f"MeasureSensitivity.py: no row has '{options.only}' in its name. Change --only or --cases.")
     medians, mean, low = summary(before)
     print(f"{len(before)} rows, mean {mean:.4f}, {low} below 0.8; medians:")
     print(", ".join(f"{organ} {median:.3f}" for organ, median in sorted(medians.items())), "\n")
 
     changes = {}
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for name in names:
-            for factor in FACTORS:
-                table = tables / (re.sub(r"[^\w]+", "-", name) + f"-{factor}.csv")
-                changes[name, factor] = pool.submit(measure, program, table, options, name, factor)
+    pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
+    for name in names:
+        for factor in FACTORS:
+            table = tables / (re.sub(r"[^\w]+", "-", name) + f"-{factor}.csv")
+            changes[name, factor] = pool.submit(measure, program, table, options, name, factor)
+    try:
+        concurrent.futures.wait(changes.values())
+    except KeyboardInterrupt:
+        pool.shutdown(cancel_futures=True)
+        sys.exit(130)
     lines = []
     for name, value in names.items():
-        worst, cells = 0, []
+        worst, cells = (0, 0, 0), []
         for factor in FACTORS:
-            rows = changes[name, factor].result()
-            if isinstance(rows, str):
-                print(rows, file=sys.stderr)
-                cells += ["fails", "", "", ""]
+            try:
+                rows = changes[name, factor].result()
+            except RuntimeError as error:
+                print(error, file=sys.stderr)
+                worst, cells = (math.inf, 0, 0), cells + ["fails", "", "", ""]
                 continue
             after, mean_after, low_after = summary(rows)
             shift, organ = max((abs(after[organ] - medians[organ]), organ) for organ in medians)
-            worst = max(worst, shift)
             count = sum(rows[case][2] != before[case][2] for case in before)
+            worst = max(worst, (shift, abs(mean_after - mean), count))
             moved = f"{after[organ] - medians[organ]:+.3f} {organ}" if shift >= 5e-4 else "0"
             cells += [moved, f"{mean_after - mean:+.4f}", f"{count}", f"{low_after}"]
         lines.append((worst, f"| {name} | {value} | " + " | ".join(cells) + " |"))
-    heads = ["median", "mean", "rows", "below 0.8"]
+    heads = ["median", "mean", "surfaces", "below 0.8"]
     columns = ["number", "value"] + [f"x {factor}: {head}" for factor in FACTORS for head in heads]
     print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
-    for _, line in sorted(lines, key=lambda line: -line[0]):
+    for _, line in sorted(lines, key=lambda line: line[0], reverse=True):
         print(line)
 
 

@@ -33,7 +33,7 @@ def processor_seconds_of_children():
 
 class TestInterrupt(command.CommandTest):
     def wait_until(self, condition, process):
-        end = time.monotonic() + 300 # a busy machine gives a process a tenth of a processor
+        end = time.monotonic() + 60 * command.SLOWNESS
         while not condition():
             self.assertIsNone(process.poll(), "it ended before it could be stopped")
             self.assertLess(time.monotonic(), end, "it does nothing")

@@ -26,6 +26,16 @@ TEST(BitMask, HoldsWhatIsInsertedAndNothingElse)
       });
     EXPECT_EQ(BytesOf(mask), bytes);
     EXPECT_EQ(mask, BitsOf(bytes, geometry));
+    BitMask byOffset(geometry);
+    for (std::size_t offset = 0; offset < bytes.size(); ++offset)
+    {
+      ASSERT_EQ(mask(offset), bytes[offset] != 0);
+      if (bytes[offset])
+      {
+        byOffset.Insert(offset);
+      }
+    }
+    EXPECT_EQ(byOffset, mask);
     EXPECT_EQ(mask.Count(), static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), 1)));
   }
 }
@@ -88,6 +98,23 @@ TEST(BitMask, RunsOfEveryPlaceAndLength)
       ASSERT_EQ(rest, expected) << begin << " to " << end;
     }
   }
+}
+
+TEST(BitMask, TakesRunsOfALargerGrid)
+{
+  struct Run
+  {
+    int J, K, Begin, End;
+  };
+  const std::vector<Run> runs{ { 3, 4, 5, 75 }, { 4, 4, 9, 10 }, { 6, 7, 70, 79 } };
+  const ImageGeometry geometry = Grid({ { 90, 10, 9 } }, { 1, 1, 1 });
+  BitMask all(geometry);
+  all.InsertRuns(runs);
+  EXPECT_EQ(all.Count(), 80U);
+  const VoxelBox box{ { { 5, 3, 4 } }, { { 80, 8, 8 } } };
+  BitMask part(CropGeometry(geometry, box));
+  part.InsertRuns(runs, box.Begin);
+  EXPECT_EQ(part, all.Cropped(box));
 }
 
 TEST(BitMask, PaddingIsCleared)

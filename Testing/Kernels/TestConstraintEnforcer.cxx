@@ -38,12 +38,12 @@ int CountDisobeyed(const ConstraintList& constraints, const ContourMesh& mesh,
   return count;
 }
 
-GuardedStep StepBy(EmbeddingGuard& guard)
+GuardedStep StepBy(EmbeddingGuard& guard, const Monitor& monitor = NeverStop)
 {
-  return [&guard](const PointList& obstacles, const PointList& from, PointList& motion)
+  return [&guard, monitor](const PointList& obstacles, const PointList& from, PointList& motion)
   {
     guard.SetObstacles(obstacles);
-    return guard.Limit(from, motion, SerialFor, NeverStop).Positions;
+    return guard.Limit(from, motion, SerialFor, monitor).Positions;
   };
 }
 
@@ -179,6 +179,7 @@ TEST(ConstraintEnforcer, CanBeStopped)
   EmbeddingGuard guard(sphere.Mesh);
   enforcer.Begin(sphere.Mesh, guard.Hulls(), points);
   int asked = 0;
-  EXPECT_FALSE(enforcer.Finish(
-    sphere.Mesh, guard.Hulls(), StepBy(guard), [&](double) { return ++asked < 2; }, points));
+  const Monitor monitor = [&asked](double) { return ++asked < 2; };
+  EXPECT_FALSE(
+    enforcer.Finish(sphere.Mesh, guard.Hulls(), StepBy(guard, monitor), monitor, points));
 }

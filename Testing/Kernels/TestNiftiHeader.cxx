@@ -165,11 +165,14 @@ TEST(NiftiHeader, WhatTheSformDoesNotNeedIsNotJudged)
 
 TEST(NiftiHeader, VoxelSizesBesideTheSform)
 {
-  for (const float size : { 2.2F, 0.F, -2.F, NiftiNaN })
+  for (const std::size_t axis : { 0, 1, 2 })
   {
-    const std::string bytes = NiftiWith(UprightFile(), 80, size);
-    EXPECT_EQ(ReadNifti(bytes).Geometry.Spacing[0], 2);
-    EXPECT_TRUE(NiftiSays(NiftiWarnings(bytes), "two voxel sizes")) << size;
+    for (const float size : { 2.2F, 0.F, -2.F, NiftiNaN })
+    {
+      const std::string bytes = NiftiWith(UprightFile(), 80 + 4 * axis, size);
+      EXPECT_EQ(ReadNifti(bytes).Geometry.Spacing, UprightNifti().Spacing);
+      EXPECT_TRUE(NiftiSays(NiftiWarnings(bytes), "two voxel sizes")) << size;
+    }
   }
   // Rounded entries of a matrix: the size beside it is exact.
   Eigen::Matrix<float, 3, 4> affine;
@@ -177,6 +180,16 @@ TEST(NiftiHeader, VoxelSizesBesideTheSform)
   const VolumeFileHeader header = ReadNifti(WithAffine(UprightFile(), 1, affine));
   EXPECT_EQ(header.Geometry.Spacing, UprightNifti().Spacing);
   EXPECT_TRUE(header.Warnings.empty());
+  // Of a tilted gantry: the distance between slices, or how far one is from the next.
+  affine << -2, 0, 0, 40, 0, -1.5F, 0.9F, 150, 0, 0, 3, 300;
+  const std::string tilted = WithAffine(UprightFile(), 1, affine);
+  for (const double size : { 3.0, std::hypot(3.0, 0.9) })
+  {
+    const std::string bytes = NiftiWith(tilted, 88, static_cast<float>(size));
+    EXPECT_NEAR(ReadNifti(bytes).Geometry.Spacing[2], std::hypot(3.0, 0.9), 1e-6);
+    EXPECT_EQ(NiftiWarnings(bytes).find("two voxel sizes"), std::string::npos) << size;
+  }
+  EXPECT_TRUE(NiftiSays(NiftiWarnings(NiftiWith(tilted, 88, 3.05F)), "two voxel sizes"));
 }
 
 TEST(NiftiHeader, QuaternionsThatRoundingMadeTooLong)

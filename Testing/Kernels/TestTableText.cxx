@@ -100,6 +100,20 @@ TEST(TableText, DecimalCommas)
     << both;
 }
 
+TEST(TableText, IsReadAsItWasWritten)
+{
+  const std::string text = TextOfTable({ "name", "a \"b\"", "number" },
+    { { std::string("one, two"), std::int64_t{ -7 }, 0.1 },
+      { std::string("lines\nof two"), std::int64_t{ 9007199254740993 }, 1e-5 } });
+  EXPECT_EQ(text,
+    "name,\"a \"\"b\"\"\",number\n\"one, two\",-7,0.1\n\"lines\nof two\",9007199254740993,1e-05\n");
+  const TableText table = ReadTableText("a.csv", text);
+  ASSERT_EQ(table.Lines.size(), 3U);
+  EXPECT_EQ(table.Lines[0].Cells[1], "a \"b\"");
+  EXPECT_EQ(table.Lines[1].Cells, (std::vector<std::string>{ "one, two", "-7", "0.1" }));
+  EXPECT_EQ(table.Lines[2].Cells[0], "lines\nof two");
+}
+
 TEST(PointTable, ColumnsInAnyOrderAndForm)
 {
   const std::string expected = "inside 1.5 2 3 0; seed 4 5 6 7.25; ";
@@ -146,7 +160,10 @@ TEST(PointTable, AWrongHeaderOrLineIsSaid)
     { "kind,x,y,z\ninside,1,2,3,4\n", "line 2: 5 cells" },
     { "kind,,x,y,z\ninside,5,1,2,3\n", "line 2: 5 cells" }, { "seed,1,2,3\n", "has no radius" },
     { "above,1,2,3\n", "the kind is 'above'" },
-    { "kind,x,y,z\ninside,1,,3\n", "line 2: '' is not" },
+    { "kind,x,y,z\ninside,1,,3\n", "line 2: the column y is empty" },
+    { "inside,1,2,,4\n", "line 1: the column z is empty" },
+    { "z,y,x,kind\n,1,2,inside\n", "line 2: the column z is empty" },
+    { ",1,2,3\n", "line 1: the column kind is empty" },
     { "inside,1,0x10,3\n", "'0x10' is not a number" }, { "inside,1,2,1e999\n", "is not a number" }
   };
   for (const auto& [text, words] : lines)

@@ -145,6 +145,43 @@ TEST(VesselSegmentation, StopsWhenAsked)
     EXPECT_EQ(result.Surface.Reason, StopReason::Aborted) << questions;
     EXPECT_TRUE(result.Voxels.empty());
   }
+  // While the surface deforms.
+  const VesselSegmentation deforming = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
+    LumenSettings(), OneThread, [](double done) { return done < 0.7; });
+  EXPECT_EQ(deforming.Surface.Reason, StopReason::Aborted);
+  EXPECT_FALSE(deforming.Surface.Iterations.empty());
+  EXPECT_TRUE(deforming.Voxels.empty());
+}
+
+// The rule is that of organs.
+TEST(VesselSegmentation, EachLevelEndsByTheScheduleOfDeformations)
+{
+  const ImageGeometry grid = BentGrid();
+  const ExampleTube tube = Bent(5);
+  const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+  const PointList points = Points({ tube.Line.row(5).transpose(), tube.Line.row(194).transpose() });
+  const auto surfaceFor = [&](int levels, int iterations)
+  {
+    VesselSegmentationSettings settings = LumenSettings();
+    settings.Levels = levels;
+    settings.MaximumIterations = iterations;
+    return SegmentVessel(GrayVolumeOf(volume), "the volume", points, {}, settings, OneThread,
+      NeverStop)
+      .Surface;
+  };
+  const Eigen::Index start = surfaceFor(1, 0).Points.rows();
+  for (const int levels : { 1, 2, 3 })
+  {
+    const OrganSurface resting = surfaceFor(levels, 0);
+    EXPECT_EQ(resting.Reason, StopReason::IterationLimit);
+    EXPECT_TRUE(resting.Iterations.empty());
+    EXPECT_EQ(levels > 1, resting.Points.rows() > start);
+    const OrganSurface surface = surfaceFor(levels, 50);
+    EXPECT_TRUE(surface.Reason == StopReason::Converged ||
+      surface.Reason == StopReason::DistanceBelowTolerance);
+    EXPECT_EQ(surface.Iterations.back().Level, levels - 1);
+    EXPECT_EQ(surface.Points.rows(), resting.Points.rows());
+  }
 }
 
 TEST(VesselSegmentation, BadPointsAreNamed)

@@ -19,13 +19,13 @@ class DeformationLoop
 {
 public:
   /// The surfaces have begun (DeformingSurface::BeginAt), apart from each other and from the fixed
-  /// surfaces, and none within another. All have the same schedule. Several surfaces, or fixed
-  /// surfaces, need the guard.
+  /// surfaces, and none within another. All have the same schedule, and the guard on or
+  /// off. Several surfaces, or fixed surfaces, need the guard.
   DeformationLoop(std::vector<DeformingSurface*> surfaces, std::vector<DeformableSurface> fixed,
     const ParallelFor& parallelFor);
 
-  /// Runs all levels, and brings the surfaces to obey their constraints; their surfaces then have a
-  /// reason. The monitor is asked with the number of levels done, divided by their number. Returns
+  /// Runs all levels, and brings the surfaces to obey their constraints; each then has a reason.
+  /// The monitor is asked with the number of levels done, divided by their number. Returns
   /// false if it stopped the run. Throws Error where a constraint cannot be obeyed.
   bool Run(const Monitor& monitor);
   /// The same of the last level alone, for surfaces that have its vertices already: first freely,

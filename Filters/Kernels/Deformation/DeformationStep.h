@@ -18,7 +18,7 @@ struct DeformationStepSettings
   double FlipThreshold = 0.3; ///< r of Eq. 3
   DiffusionSettings Propagation;
   DeformationSettings Energy;
-  bool Guard = true; ///< read by callers of DeformOnce(), which itself looks at the pointer
+  bool Guard = true; ///< read by those who make the guard
 };
 
 struct DeformationStepReport

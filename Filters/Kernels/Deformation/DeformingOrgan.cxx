@@ -169,7 +169,7 @@ void DeformingOrgan::BeginRun()
   }
 }
 
-CorrespondenceField DeformingOrgan::MatchBoundary(TargetReport& report)
+CorrespondenceField DeformingOrgan::SearchTargets(TargetReport& report)
 {
   TargetSettings targets = this->Settings.Targets;
   targets.Correspondence.Ramp = this->Model.Ramp;
@@ -179,7 +179,7 @@ CorrespondenceField DeformingOrgan::MatchBoundary(TargetReport& report)
   {
     targets.Correspondence.EdgeWindow = 0;
   }
-  return FlipFree::FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground.GetMask(),
+  return FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground.GetMask(),
     this->Foreground.GetNoData(), this->Foreground.GetImage(), this->OrganRadius, targets,
     this->Parallel, report);
 }

@@ -13,6 +13,7 @@
 namespace FlipFree
 {
 
+/// The foreground refers to the object's own seed and settings.
 class DeformingOrgan : public DeformingSurface
 {
 public:
@@ -39,7 +40,7 @@ public:
 
 private:
   void BeginRun() override;
-  CorrespondenceField MatchBoundary(TargetReport& report) override;
+  CorrespondenceField SearchTargets(TargetReport& report) override;
   bool FindOthers(const CarvedForegroundInputs& inputs, const CarvedForeground& carved,
     const Monitor& monitor);
   ForegroundImage CorrectedImage(const Monitor& monitor);

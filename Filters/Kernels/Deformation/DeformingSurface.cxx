@@ -74,20 +74,20 @@ void DeformingSurface::BeginLevel(int level)
   this->Solver = std::make_unique<DeformationSolver>(this->Surface.Mesh);
 }
 
-void DeformingSurface::FindTargets()
+void DeformingSurface::BeginIteration()
 {
   this->Record = {};
   this->Record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
   this->Record.Level = this->FirstLevel + this->Level;
   this->Record.Vertices = this->Surface.Mesh.NumberOfPoints();
   Stopwatch watch;
-  this->Surface.Field = this->MatchBoundary(this->Record.Targets);
+  this->Surface.Field = this->SearchTargets(this->Record.Targets);
   this->Record.SearchSeconds = watch.Lap();
 }
 
 void DeformingSurface::Stay()
 {
-  this->FindTargets();
+  this->BeginIteration();
   this->Surface.Iterations.push_back(this->Record);
   this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
   this->Surface.Reason = StopReason::DistanceBelowTolerance;
@@ -99,7 +99,7 @@ PointList DeformingSurface::FindMotion()
   {
     return PointList::Zero(this->Surface.Points.rows(), 3);
   }
-  this->FindTargets();
+  this->BeginIteration();
   PointList motion = this->Naming(
     [&]
     {

@@ -1,7 +1,6 @@
 /**
  * The state of one surface while it deforms: the points it obeys, and each iteration's targets and
- * desired motion. What it is drawn to, those that derive from it know; DeformationLoop moves one or
- * several.
+ * desired motion. Derived classes know what draws it; DeformationLoop moves one or several.
  */
 #ifndef FlipFreeDeformingSurface_h
 #define FlipFreeDeformingSurface_h
@@ -23,7 +22,7 @@ class DeformingSurface
 {
 public:
   virtual ~DeformingSurface() = default;
-  // Those that derive from it refer to their own members.
+  // A loop keeps its address.
   DeformingSurface(const DeformingSurface&) = delete;
   DeformingSurface& operator=(const DeformingSurface&) = delete;
 
@@ -54,7 +53,7 @@ public:
   /// Ends the iteration with the vertices where the guard let them go. Not where the level has
   /// ended.
   void Move(PointList points, int guarded, double guardSeconds);
-  /// Whether the level has ended for this organ, after the latest iteration; see the reason.
+  /// Whether the level has ended for this surface, after the latest iteration; see the reason.
   bool HasLevelEnded() const { return this->Surface.Reason != StopReason::NotRun; }
   void SetReason(StopReason reason) { this->Surface.Reason = reason; }
   void Replace(ContourMesh mesh, PointList points);
@@ -82,8 +81,8 @@ protected:
   /// Lengths of voxels, in millimeters.
   struct VoxelSpacing
   {
-    double Finest = 1;   ///< the unit of how exactly points are obeyed
-    double Coarsest = 1; ///< the unit of the schedule's tolerances
+    double Finest = 1;   ///< the image's; how exactly points are obeyed is measured in it
+    double Coarsest = 1; ///< where targets are sought; the unit of the schedule's tolerances
   };
 
   /// `parallelFor` must outlive the object.
@@ -93,7 +92,7 @@ protected:
   /// A run begins.
   virtual void BeginRun() {}
   /// The targets of the surface as it is.
-  virtual CorrespondenceField MatchBoundary(TargetReport& report) = 0;
+  virtual CorrespondenceField SearchTargets(TargetReport& report) = 0;
   bool IsInLastLevel() const { return this->Level + 1 >= this->Schedule.NumberOfLevels(); }
 
   const ParallelFor& Parallel;
@@ -101,7 +100,7 @@ protected:
   ConstraintList Constraints; // likewise
 
 private:
-  void FindTargets();
+  void BeginIteration();
   double MeanDistanceOfMobile() const;
   void FreePulled(const PointList& from);
   bool IsGrowing() const;

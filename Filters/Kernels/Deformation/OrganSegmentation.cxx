@@ -101,8 +101,7 @@ bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver
 bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
 {
   State& kept = *this->Kept;
-  this->Begin({}, nullptr, OutsidePoints::InTheLastLevel,
-    [](const auto&, const auto&, const auto&, const auto&) {});
+  this->Begin({}, nullptr, OutsidePoints::InTheLastLevel, ObserveNothing);
   if (!DeformationLoop({ &kept.Organ }, {}, this->Parallel).Run(monitor))
   {
     return false;

@@ -45,6 +45,10 @@ struct OrganSurface
 /// Called after every iteration with the surface, its last targets, and the iteration's record.
 using IterationObserver = std::function<void(const ContourMesh&, const PointList&,
   const CorrespondenceField&, const IterationRecord&)>;
+inline void ObserveNothing(const ContourMesh&, const PointList&, const CorrespondenceField&,
+  const IterationRecord&)
+{
+}
 
 class DeformingOrgan;
 

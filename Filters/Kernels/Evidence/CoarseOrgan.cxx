@@ -5,7 +5,6 @@
 #include "Evidence/RegionCut.h"
 #include "Image/BallInside.h"
 #include "Image/BlockNetwork.h"
-#include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "Evidence/TissueGrowth.h"
 
-#include "Image/VoxelOffsets.h"
 #include "Intensity/ModelFit.h"
 #include "Intensity/OrganForeground.h"
 

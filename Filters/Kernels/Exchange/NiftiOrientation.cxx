@@ -147,25 +147,37 @@ ImageGeometry GridOfAffine(const std::string& name, const Affine& affine,
     MirroredAxes.cwiseProduct(affine.col(3)));
 }
 
+/// Not where one of them is NaN.
+bool AreNear(double size, double other, double tolerance)
+{
+  return std::abs(size - other) < tolerance * other;
+}
+
 /// A matrix is rounded entry by entry; where the header has the voxel size beside it, that is what
-/// was meant.
+/// was meant. Of a sheared grid, such as that of a tilted gantry, a size may be the distance
+/// between the planes of voxels, which is less than the step from one to the next.
 void TakePixelSizes(const std::string& name, const NiftiFields& fields, ImageGeometry& grid,
   std::vector<std::string>& warnings)
 {
   constexpr double rounding = 1e-5;
   constexpr double other = 0.01;
+  const Eigen::Vector3d distances = grid.IndexReach(1).cwiseInverse();
   Eigen::Vector3d sizes;
+  bool areRounded = true;
+  bool areTheSame = true;
   for (int axis = 0; axis < 3; ++axis)
   {
     sizes[axis] = NiftiUnit(fields) * fields.PixelDimension(axis + 1);
+    areRounded = areRounded && AreNear(sizes[axis], grid.Spacing[axis], rounding);
+    areTheSame = areTheSame &&
+      (AreNear(sizes[axis], grid.Spacing[axis], other) ||
+        AreNear(sizes[axis], distances[axis], other));
   }
-  const double difference =
-    ((sizes - grid.Spacing).cwiseQuotient(grid.Spacing)).cwiseAbs().maxCoeff();
-  if (difference < rounding)
+  if (areRounded)
   {
     grid.Spacing = sizes;
   }
-  else if (!(difference < other))
+  else if (!areTheSame)
   {
     warnings.push_back("'" + name + "' gives two voxel sizes: " + TextOf(grid.Spacing) +
       " mm in its sform, which was taken, and " + TextOf(sizes) +

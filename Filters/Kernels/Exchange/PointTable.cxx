@@ -65,8 +65,20 @@ public:
       InQuotes(this->Name) + ", line " + std::to_string(this->Line) + ": " + what + ".");
   }
 
-  double Number(const std::string& cell) const
+  /// What a column must hold, by its place among all columns.
+  const std::string& Filled(const std::vector<std::string>& cells, std::size_t column) const
   {
+    if (cells[column].empty())
+    {
+      this->Refuse(
+        "the column " + this->Columns[column] + " is empty; needed are " + this->Meaning);
+    }
+    return cells[column];
+  }
+
+  double Number(const std::vector<std::string>& cells, std::size_t column) const
+  {
+    const std::string& cell = this->Filled(cells, column);
     double number = 0;
     if (!AreDecimals(cell) || !ToNumber(cell, number))
     {
@@ -163,14 +175,14 @@ ConstraintList ReadConstraintTable(const std::string& name, const std::string& t
       PointConstraint point;
       for (int axis = 0; axis < 3; ++axis)
       {
-        point.Point[axis] = reader.Number(cells[static_cast<std::size_t>(axis) + 1]);
+        point.Point[axis] = reader.Number(cells, static_cast<std::size_t>(axis) + 1);
       }
-      const double radius = cells[4].empty() ? 0 : reader.Number(cells[4]);
-      const std::string kind = InSmallLetters(cells[0]);
+      const double radius = cells[4].empty() ? 0 : reader.Number(cells, 4);
+      const std::string kind = InSmallLetters(reader.Filled(cells, 0));
       const std::optional<ConstraintKind> known = KindNamed(kind);
       if (!known)
       {
-        reader.Refuse("the kind is '" + kind + "'; it can be outside, inside, boundary or seed");
+        reader.Refuse("the kind is '" + kind + "'; it can be " + KindsInWords);
       }
       point.Kind = *known;
       if (point.Kind == ConstraintKind::Seed)
@@ -193,8 +205,8 @@ std::vector<Eigen::Vector3d> ReadPlaceTable(const std::string& name, const std::
   reader.Read(text,
     [&](const std::vector<std::string>& cells)
     {
-      places.emplace_back(reader.Number(cells[0]), reader.Number(cells[1]),
-        reader.Number(cells[2]));
+      places.emplace_back(reader.Number(cells, 0), reader.Number(cells, 1),
+        reader.Number(cells, 2));
     });
   return places;
 }

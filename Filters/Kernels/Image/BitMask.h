@@ -39,7 +39,7 @@ public:
   {
     return (this->Row(j, k)[i / BitsOfWord] >> (i % BitsOfWord) & 1U) != 0;
   }
-  /// Of a voxel by its index in the order of the grid's voxels.
+  /// Of a voxel by its offset (VoxelOffsets.h).
   bool operator()(std::size_t voxel) const
   {
     const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
@@ -49,6 +49,7 @@ public:
   {
     this->Row(j, k)[i / BitsOfWord] |= Word(1) << (i % BitsOfWord);
   }
+  /// Inserts a voxel by its offset.
   void Insert(std::size_t voxel)
   {
     const std::array<int, 3> index = IndexOf(voxel, this->Geometry);

@@ -26,6 +26,9 @@ enum class ConstraintKind : unsigned char
 /// What files and options call a kind: outside, inside, boundary or seed.
 const char* NameOf(ConstraintKind kind);
 
+/// All of them in words.
+constexpr const char* KindsInWords = "outside, inside, boundary or seed";
+
 /// The kind of that name; none where there is no such kind.
 std::optional<ConstraintKind> KindNamed(const std::string& name);
 

@@ -23,6 +23,7 @@ ScheduleSettings ScheduleOf(const VesselSegmentationSettings& settings)
 {
   ScheduleSettings schedule;
   schedule.Levels = settings.Levels;
+  schedule.Resolution = 2 << (settings.Levels - 1); // the start is fine enough for all of them
   schedule.MaximumIterations = settings.MaximumIterations;
   return schedule;
 }
@@ -50,9 +51,9 @@ public:
   }
 
 private:
-  CorrespondenceField MatchBoundary(TargetReport& report) override
+  CorrespondenceField SearchTargets(TargetReport& report) override
   {
-    return FlipFree::FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground, {},
+    return FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground, {},
       this->Edges.View(), this->Radius, this->Targets, this->Parallel, report);
   }
 
@@ -69,8 +70,7 @@ OrganSurface FitToOutline(const VesselTree& tree, const DeformableSurface& start
   const ParallelFor& parallelFor, const Monitor& monitor)
 {
   DeformingVessel vessel(tree, DepthOf(tree, parallelFor), spacing, settings, parallelFor);
-  vessel.BeginAt(start, 0, constraints, OutsidePoints::FromTheStart,
-    [](const auto&, const auto&, const auto&, const auto&) {});
+  vessel.BeginAt(start, 0, constraints, OutsidePoints::FromTheStart, ObserveNothing);
   const RememberingMonitor remembering(monitor);
   if (!DeformationLoop({ &vessel }, {}, parallelFor).Run(remembering.Get()) ||
     remembering.HasStopped())

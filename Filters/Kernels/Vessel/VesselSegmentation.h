@@ -18,7 +18,8 @@ struct VesselSegmentationSettings
 {
   VesselPathSettings Path;
 
-  /// Levels from coarse to fine; each doubles the vertices along an edge.
+  /// Levels from coarse to fine; each doubles the vertices along an edge. One ends by the rule of
+  /// ScheduleSettings, with its defaults, in voxels of the grid on which the outline is drawn.
   int Levels = 2;
   int MaximumIterations = 20; ///< per level
   int LabelValue = 1;         ///< of the vessel's voxels; read by those who make the label map

@@ -41,6 +41,11 @@ CorrectionPoint PointOfControl(const std::string& words, const std::array<double
   std::string kind;
   std::string radius;
   label >> kind >> radius;
+  if (kind.empty())
+  {
+    throw Failure(std::string("it has no label; give it one that begins with its kind: ") +
+      FlipFree::KindsInWords);
+  }
   try
   {
     // 3D Slicer numbers its points: inside-1.
@@ -103,7 +108,7 @@ ConstraintKind KindOf(const std::string& name)
   const std::optional<ConstraintKind> kind = FlipFree::KindNamed(name);
   if (!kind)
   {
-    throw Failure("the kind is '" + name + "'; it can be outside, inside, boundary or seed");
+    throw Failure("the kind is '" + name + "'; it can be " + FlipFree::KindsInWords);
   }
   return *kind;
 }

@@ -29,10 +29,15 @@ std::string Filled(std::string text, std::ptrdiff_t width)
   return text;
 }
 
+std::string Counted(int number, const char* noun)
+{
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
 std::string FoundText(const OrganSummary& organ)
 {
-  return Printed("volume %.1f ml, %d iterations, ", organ.Milliliters, organ.Iterations) +
-    organ.StopReason + Printed(", %d self-intersections, ", organ.SelfIntersections);
+  return Printed("volume %.1f ml, ", organ.Milliliters) + Counted(organ.Iterations, "iteration") +
+    ", " + organ.StopReason + ", " + Counted(organ.SelfIntersections, "self-intersection") + ", ";
 }
 
 std::string SupportText(double support)
@@ -107,7 +112,7 @@ std::string TraceText(const TraceSummary& vessel, const StageSeconds& seconds)
   return vessel.Title +
     Printed(": %d %s, %d vertices, ", vessel.Branches, vessel.Branches == 1 ? "branch" : "branches",
       vessel.Vertices) +
-    vessel.StopReason + Printed(", %d self-intersections, ", vessel.SelfIntersections) +
+    vessel.StopReason + ", " + Counted(vessel.SelfIntersections, "self-intersection") + ", " +
     SupportText(vessel.Support) + "; " + VesselStagesText(seconds);
 }
 

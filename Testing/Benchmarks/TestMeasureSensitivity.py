@@ -1,0 +1,73 @@
+"""Which numbers MeasureSensitivity finds in a line, and how it has them read by name."""
+
+import unittest
+
+import MeasureSensitivity as sensitivity
+
+
+class TestMeasureSensitivity(unittest.TestCase):
+    def varied(self, line, file="Evidence/Cut.cxx", names=None):
+        return sensitivity.varied(line, file, {} if names is None else names)
+
+    def test_constants_members_and_arrays(self):
+        names = {}
+        self.assertEqual(
+            self.varied("constexpr double Least = 0.5; // mm", names=names),
+            'const double Least = Varied("Evidence/Cut.cxx:Least", static_cast<double>(0.5)); // mm',
+        )
+        self.assertEqual(
+            self.varied("  float Floor = -2.5F;", "Evidence/Cut.h", names),
+            '  float Floor = Varied("Evidence/Cut.h:Floor", static_cast<float>(-2.5F));',
+        )
+        self.assertEqual(
+            self.varied("constexpr std::array<double, 2> Parts{ { 0.7, 0.8 } };", names=names),
+            'const std::array<double, 2> Parts{ { Varied("Evidence/Cut.cxx:Parts[0]", 0.7), '
+            'Varied("Evidence/Cut.cxx:Parts[1]", 0.8) } };',
+        )
+        self.assertEqual(
+            names,
+            {
+                "Evidence/Cut.cxx:Least": "0.5",
+                "Evidence/Cut.h:Floor": "-2.5",
+                "Evidence/Cut.cxx:Parts[0]": "0.7",
+                "Evidence/Cut.cxx:Parts[1]": "0.8",
+            },
+        )
+
+    def test_constants_of_headers_and_classes_are_inline(self):
+        self.assertTrue(self.varied("constexpr int Most = 5;", "Evidence/Cut.h").startswith("inline const int Most"))
+        self.assertTrue(self.varied("  static constexpr double Scale = 2;").startswith("  static inline const double"))
+
+    def test_what_is_no_number_of_the_method_stays(self):
+        for line in (
+            "constexpr double Guard = 1e-9;",
+            "  double Sum = 0;",
+            "  double sum = 2;",
+            "double Free = 2;",
+            "  return Depth = 2;",
+            "constexpr double None = std::numeric_limits<double>::infinity();",
+        ):
+            self.assertEqual(self.varied(line), line)
+        reach = "constexpr int Reach = 2;"
+        self.assertEqual(self.varied(reach, "Evidence/VenaCavaCarving.cxx"), reach)
+
+    def test_what_depends_on_a_number_is_no_constant_either(self):
+        names = {}
+        self.varied("constexpr double Least = 0.5;", names=names)
+        self.assertEqual(self.varied("constexpr double Most = Least;", names=names), "const double Most = Least;")
+
+    def test_two_numbers_of_one_name_are_refused(self):
+        names = {}
+        self.varied("constexpr double Least = 0.5;", names=names)
+        with self.assertRaisesRegex(ValueError, "two numbers are called Evidence/Cut.cxx:Least"):
+            self.varied("constexpr double Least = 0.6;", names=names)
+
+    def test_summary(self):
+        rows = {"a": ("kidney-left", 0.9, "1"), "b": ("kidney-right", 0.7, "2"), "c": ("liver", 0.95, "3")}
+        medians, mean, low = sensitivity.summary(rows)
+        self.assertEqual((medians, low), ({"kidney": 0.8, "liver": 0.95}, 1))
+        self.assertAlmostEqual(mean, 0.85)
+
+
+if __name__ == "__main__":
+    unittest.main()
