@@ -33,7 +33,7 @@ def processor_seconds_of_children():
 
 class TestInterrupt(command.CommandTest):
     def wait_until(self, condition, process):
-        end = time.monotonic() + 60 * command.SLOWNESS
+        end = time.monotonic() + 60 * command.SLOWNESS  # as the work that is waited for
         while not condition():
             self.assertIsNone(process.poll(), "it ended before it could be stopped")
             self.assertLess(time.monotonic(), end, "it does nothing")

@@ -50,11 +50,6 @@ void DeformingSurface::BeginAt(const DeformableSurface& start, int firstLevel,
   }
 }
 
-bool DeformingSurface::Refit(const Monitor&)
-{
-  return true;
-}
-
 void DeformingSurface::StayIn(const UnchangedPlaces& places)
 {
   this->Mobility = 1 - places.WeightsOf(this->Surface.Points, this->Parallel).array();

@@ -70,7 +70,7 @@ public:
 
   /// Before each level but the first: looks anew for what the surface is drawn to. Returns false if
   /// the monitor stopped it.
-  virtual bool Refit(const Monitor& monitor);
+  virtual bool Refit(const Monitor& /*monitor*/) { return true; }
 
   const ScheduleSettings& GetSchedule() const { return this->Schedule; }
   bool HasGuard() const { return this->Step.Guard; }

@@ -72,9 +72,7 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   }
   RemoveNoData(ReaderOf(smooth, box.Begin), parallelFor, part);
   foreground = BitMask(smooth.Geometry);
-  part.ForEachRun(0, box.Size(2),
-    [&foreground, first = box.Begin](int begin, int end, int j, int k)
-    { foreground.InsertRun(first[0] + begin, first[0] + end, first[1] + j, first[2] + k); });
+  foreground.Insert(part, box.Begin);
   return true;
 }
 

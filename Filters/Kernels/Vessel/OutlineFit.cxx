@@ -14,11 +14,6 @@ namespace
 
 constexpr double RoundedEdge = 0.7; // mm: the outline's edge in the image of depths, for snapping
 
-FloatImage DepthOf(const VesselTree& tree, const ParallelFor& parallelFor)
-{
-  return DepthOnGrid(tree, std::max(0.5, std::min(1.2, SmallestRadius(tree) / 5)), 4, parallelFor);
-}
-
 ScheduleSettings ScheduleOf(const VesselSegmentationSettings& settings)
 {
   ScheduleSettings schedule;
@@ -32,11 +27,11 @@ ScheduleSettings ScheduleOf(const VesselSegmentationSettings& settings)
 class DeformingVessel : public DeformingSurface
 {
 public:
-  DeformingVessel(const VesselTree& tree, FloatImage depth, double spacing,
+  DeformingVessel(double radius, FloatImage depth, double spacing,
     const VesselSegmentationSettings& settings, const ParallelFor& parallelFor)
     : DeformingSurface(ScheduleOf(settings), settings.Step,
         { spacing, depth.Geometry.Spacing.maxCoeff() }, parallelFor)
-    , Radius(SmallestRadius(tree))
+    , Radius(radius)
     , Edges(std::move(depth))
     , Foreground(VoxelsWhere(
         this->Edges.View(), [](float value) { return value > 0; }, parallelFor))
@@ -69,7 +64,10 @@ OrganSurface FitToOutline(const VesselTree& tree, const DeformableSurface& start
   const ConstraintList& constraints, double spacing, const VesselSegmentationSettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  DeformingVessel vessel(tree, DepthOf(tree, parallelFor), spacing, settings, parallelFor);
+  const double radius = SmallestRadius(tree);
+  const double edge = std::max(0.5, std::min(1.2, radius / 5));
+  DeformingVessel vessel(radius, DepthOnGrid(tree, edge, 4, parallelFor), spacing, settings,
+    parallelFor);
   vessel.BeginAt(start, 0, constraints, OutsidePoints::FromTheStart, ObserveNothing);
   const RememberingMonitor remembering(monitor);
   if (!DeformationLoop({ &vessel }, {}, parallelFor).Run(remembering.Get()) ||
