@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """How much each named number of the evidence matters: it is changed by a fifth either way, one at a time.
+With --rules: how much each rule matters; it is switched off by the numbers that a table gives it.
 
     MeasureSensitivity.py FOLDER [--data DIR] [--cases FILE...] [--only TEXT] [--rooms ROOM...] [--files PATTERN]
-                          [--jobs N] [--list]
+                          [--rules FILE] [--jobs N] [--list]
 
 FOLDER takes a copy of the sources in which each number of the rooms that has a name is read when the program starts,
 MeasureCases built from it, and one table of results per change. What is there is not measured again, so a run can be
 interrupted; empty the folder `tables` when results have changed. Printed as Markdown, the number that matters most
 first: its value, the greatest change of the median of a group of organs, the change of the mean of all rows, how many
-surfaces change at all, and how many rows are below 0.8.
+surfaces change at all, and how many rows are below 0.8. Of rules: what without them becomes of each group's mean.
 
 A number here is a literal in the definition of a constant whose name begins with a capital, or the default of a member.
 Counts change by one at least. Zeros and limits that only keep zeros out are left alone, and so is what the compiler has
@@ -48,23 +49,30 @@ HEADER = """#pragma once
 #include <cstdlib>
 #include <cstring>
 
+// What VARIED says of a number: a semicolon, its name, and the factor or value it gets.
 template <typename T>
 T Varied(const char* name, T value)
 {
-  const char* const varied = std::getenv("VARIED_NAME");
-  if (!varied || std::strcmp(varied, name) != 0)
+  const char* const all = std::getenv("VARIED");
+  const std::size_t length = std::strlen(name);
+  const char* at = all ? std::strstr(all, name) : nullptr;
+  while (at && !(at > all && at[-1] == ';' && std::strchr("*=", at[length])))
+  {
+    at = std::strstr(at + 1, name);
+  }
+  if (!at)
   {
     return value;
   }
-  const double factor = std::atof(std::getenv("VARIED_FACTOR"));
-  const double changed = factor * static_cast<double>(value);
-  if (static_cast<T>(1.5) != static_cast<T>(1))
+  const double given = std::atof(at + length + 1);
+  const bool isInteger = static_cast<T>(1.5) == static_cast<T>(1);
+  if (at[length] == '=' || !isInteger)
   {
-    return static_cast<T>(changed);
+    return static_cast<T>(at[length] == '=' ? given : given * static_cast<double>(value));
   }
-  const double rounded = std::round(changed);
+  const double rounded = std::round(given * static_cast<double>(value));
   return static_cast<T>(rounded != static_cast<double>(value) ? rounded
-                        : factor > 1                          ? rounded + 1
+                        : given > 1                           ? rounded + 1
                                                               : rounded - 1);
 }
 """
@@ -151,17 +159,17 @@ def make_program(build):
     return folder / "bin" / "MeasureCases"
 
 
-def measure(program, table, options, name="", factor=1.0):
-    """The rows of one run: (organ, Dice, hash) by the name of the case."""
+def measure(program, table, options, changes=""):
+    """The rows of one run: (organ, Dice, hash) by the name of the case. The changes are NAME*FACTOR or NAME=VALUE."""
     if not table.exists():
         part = table.with_suffix(".part")
         command = [program, "--data", options.data, "--threads", "1", "--write-gate", part, "--only", options.only]
         for cases in options.cases:
             command += ["--cases", cases]
-        environment = dict(os.environ, VARIED_NAME=name, VARIED_FACTOR=str(factor))
+        environment = dict(os.environ, VARIED="".join(f";{change}" for change in changes.split()))
         run = subprocess.run(command, env=environment, capture_output=True, text=True)
         if run.returncode != 0:
-            raise RuntimeError(f"{name} x {factor}: {run.stderr.strip()}")
+            raise RuntimeError(f"{changes}: {run.stderr.strip()}")
         part.rename(table)
     with open(table, newline="") as file:
         return {row["case"]: (row["organ"], float(row["dice"]), row["hash"]) for row in csv.DictReader(file)}
@@ -172,14 +180,76 @@ def group(organ):
     return organ.replace("-left", "").replace("-right", "")
 
 
-def summary(rows):
-    """Medians by group, mean, and the number of rows below 0.8."""
+def scores_by_group(rows):
+    """The Dice scores of each group of organs."""
     groups = {}
     for organ, dice, _ in rows.values():
         groups.setdefault(group(organ), []).append(dice)
-    medians = {organ: statistics.median(scores) for organ, scores in groups.items()}
+    return groups
+
+
+def summary(rows):
+    """Medians by group, mean, and the number of rows below 0.8."""
+    medians = {organ: statistics.median(scores) for organ, scores in scores_by_group(rows).items()}
     scores = [dice for _, dice, _ in rows.values()]
     return medians, statistics.fmean(scores), sum(dice < 0.8 for dice in scores)
+
+
+def number_of_changed_surfaces(before, after):
+    return sum(after[case][2] != before[case][2] for case in before)
+
+
+def read_rules(file, names):
+    """The changes that switch each rule off, by its name."""
+    with open(file, newline="") as table:
+        rules = {row["rule"]: row["without"] for row in csv.DictReader(table)}
+    for rule, changes in rules.items():
+        for change in changes.split():
+            if change.split("=")[0] not in names:
+                raise ValueError(f"{file}: {rule}: there is no number {change.split('=')[0]}; --list shows all")
+    return rules
+
+
+def table_of_rules(before, after):
+    """Lines of Markdown: what becomes of the mean of each group, and of all rows, without each rule."""
+    organs = sorted(scores_by_group(before))
+
+    def means(rows):
+        groups = scores_by_group(rows)
+        return [statistics.fmean(groups[organ]) for organ in organs] + [summary(rows)[1]]
+
+    yield "| without | " + " | ".join([*organs, "all", "below 0.8", "surfaces"]) + " |"
+    yield "|---" * (len(organs) + 4) + "|"
+    yield f"| (nothing) | {' | '.join(f'{mean:.4f}' for mean in means(before))} | {summary(before)[2]} | 0 |"
+    for rule, rows in after.items():
+        shifts = " | ".join(f"{mean - of_before:+.4f}" for mean, of_before in zip(means(rows), means(before)))
+        yield f"| {rule} | {shifts} | {summary(rows)[2]} | {number_of_changed_surfaces(before, rows)} |"
+
+
+def table_of_numbers(names, before, after):
+    """Lines of Markdown: what becomes of the medians, the mean and the rows below 0.8 when a number is changed."""
+    medians, mean, _ = summary(before)
+    lines = []
+    for name, value in names.items():
+        worst, cells = (0, 0, 0), []
+        for factor in FACTORS:
+            rows = after.get(f"{name}*{factor}")
+            if not rows:
+                worst, cells = (math.inf, 0, 0), cells + ["fails", "", "", ""]
+                continue
+            medians_after, mean_after, low_after = summary(rows)
+            shift, organ = max((abs(medians_after[organ] - medians[organ]), organ) for organ in medians)
+            count = number_of_changed_surfaces(before, rows)
+            worst = max(worst, (shift, abs(mean_after - mean), count))
+            moved = f"{medians_after[organ] - medians[organ]:+.3f} {organ}" if shift >= 5e-4 else "0"
+            cells += [moved, f"{mean_after - mean:+.4f}", f"{count}", f"{low_after}"]
+        lines.append((worst, f"| {name} | {value} | " + " | ".join(cells) + " |"))
+    heads = ["median", "mean", "surfaces", "below 0.8"]
+    columns = ["number", "value"] + [f"x {factor}: {head}" for factor in FACTORS for head in heads]
+    yield "| " + " | ".join(columns) + " |"
+    yield "|---" * len(columns) + "|"
+    for _, line in sorted(lines, key=lambda line: line[0], reverse=True):
+        yield line
 
 
 def main():
@@ -190,6 +260,7 @@ def main():
     parser.add_argument("--only", default="", help="rows whose name contains this text")
     parser.add_argument("--rooms", nargs="+", default=ROOMS)
     parser.add_argument("--files", default="", help="regular expression: which numbers, as Room/File:Name")
+    parser.add_argument("--rules", type=pathlib.Path, help="table of rules and of the numbers that switch them off")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--list", action="store_true", help="only names and values")
     options = parser.parse_args()
@@ -211,38 +282,27 @@ def main():
     print(f"{len(before)} rows, mean {mean:.4f}, {low} below 0.8; medians:")
     print(", ".join(f"{organ} {median:.3f}" for organ, median in sorted(medians.items())), "\n")
 
-    changes = {}
+    if options.rules:
+        changes = read_rules(options.rules, names)
+    else:
+        changes = {f"{name}*{factor}": f"{name}*{factor}" for name in names for factor in FACTORS}
     pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
-    for name in names:
-        for factor in FACTORS:
-            table = tables / (re.sub(r"[^\w]+", "-", name) + f"-{factor}.csv")
-            changes[name, factor] = pool.submit(measure, program, table, options, name, factor)
+    runs = {}
+    for label, change in changes.items():
+        table = tables / (re.sub(r"[^\w.*=-]+", "-", change) + ".csv")
+        runs[label] = pool.submit(measure, program, table, options, change)
     try:
-        concurrent.futures.wait(changes.values())
+        concurrent.futures.wait(runs.values())
     except KeyboardInterrupt:
         pool.shutdown(cancel_futures=True)
         sys.exit(130)
-    lines = []
-    for name, value in names.items():
-        worst, cells = (0, 0, 0), []
-        for factor in FACTORS:
-            try:
-                rows = changes[name, factor].result()
-            except RuntimeError as error:
-                print(error, file=sys.stderr)
-                worst, cells = (math.inf, 0, 0), cells + ["fails", "", "", ""]
-                continue
-            after, mean_after, low_after = summary(rows)
-            shift, organ = max((abs(after[organ] - medians[organ]), organ) for organ in medians)
-            count = sum(rows[case][2] != before[case][2] for case in before)
-            worst = max(worst, (shift, abs(mean_after - mean), count))
-            moved = f"{after[organ] - medians[organ]:+.3f} {organ}" if shift >= 5e-4 else "0"
-            cells += [moved, f"{mean_after - mean:+.4f}", f"{count}", f"{low_after}"]
-        lines.append((worst, f"| {name} | {value} | " + " | ".join(cells) + " |"))
-    heads = ["median", "mean", "surfaces", "below 0.8"]
-    columns = ["number", "value"] + [f"x {factor}: {head}" for factor in FACTORS for head in heads]
-    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
-    for _, line in sorted(lines, key=lambda line: line[0], reverse=True):
+    after = {}
+    for label, run in runs.items():
+        if run.exception():
+            print(run.exception(), file=sys.stderr)
+        else:
+            after[label] = run.result()
+    for line in table_of_rules(before, after) if options.rules else table_of_numbers(names, before, after):
         print(line)
 
 

@@ -1,5 +1,7 @@
 """Which numbers MeasureSensitivity finds in a line, and how it has them read by name."""
 
+import pathlib
+import tempfile
 import unittest
 
 import MeasureSensitivity as sensitivity
@@ -67,6 +69,28 @@ class TestMeasureSensitivity(unittest.TestCase):
         medians, mean, low = sensitivity.summary(rows)
         self.assertEqual((medians, low), ({"kidney": 0.8, "liver": 0.95}, 1))
         self.assertAlmostEqual(mean, 0.85)
+
+    def test_every_rule_is_switched_off_by_numbers_that_there_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            names = sensitivity.make_copy(pathlib.Path(folder), sensitivity.ROOMS)
+        rules = sensitivity.read_rules(pathlib.Path(sensitivity.__file__).with_name("rules.csv"), names)
+        self.assertGreater(len(rules), 10)
+        with self.assertRaisesRegex(ValueError, "there is no number Intensity/"):
+            sensitivity.read_rules(pathlib.Path(sensitivity.__file__).with_name("rules.csv"), {})
+
+    def test_tables(self):
+        before = {"a": ("kidney-left", 0.9, "1"), "b": ("liver", 0.7, "2")}
+        after = {"a": ("kidney-left", 0.7, "3"), "b": ("liver", 0.7, "2")}
+        self.assertEqual(
+            list(sensitivity.table_of_rules(before, {"cut": after}))[2:],
+            [
+                "| (nothing) | 0.9000 | 0.7000 | 0.8000 | 1 | 0 |",
+                "| cut | -0.2000 | +0.0000 | -0.1000 | 2 | 1 |",
+            ],
+        )
+        lines = list(sensitivity.table_of_numbers({"One": "1", "Two": "2"}, before, {"Two*0.8": after, "Two*1.2": before}))
+        self.assertEqual(lines[2], "| One | 1 | fails |  |  |  | fails |  |  |  |")
+        self.assertEqual(lines[3], "| Two | 2 | -0.200 kidney | -0.1000 | 1 | 2 | 0 | +0.0000 | 0 | 1 |")
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ class Output(unittest.TestCase):
         self.assertEqual(liver().history, ())
 
     def test_repr_tells_what_one_wants_to_know(self):
-        self.assertRegex(repr(liver()), "^<Segmentation: 6144 vertices, 0 self-intersections, ")
+        self.assertRegex(repr(liver()), rf"^<Segmentation: {liver().volume:.1f} ml, confidence (0[.]\d\d|1[.]00), 6144 vertices, 0 self-intersections, ")
 
 
 class Pickles(unittest.TestCase):

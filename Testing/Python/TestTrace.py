@@ -56,7 +56,7 @@ class TestTrace(unittest.TestCase):
         self.assertEqual(len(vessel.stage_seconds), 4)
         self.assertTrue(0.9 < vessel.support <= 1, vessel.support)
         self.assertTrue(0.6 < vessel.confidence <= vessel.support, vessel.confidence)
-        self.assertRegex(repr(vessel), r"^<Vessel: \d+ vertices, 0 self-intersections, '")
+        self.assertRegex(repr(vessel), r"^<Vessel: [\d.]+ ml, confidence [01][.]\d\d, \d+ vertices, 0 self-intersections, '")
 
     def test_centerline_is_vtks(self):
         """Of the package without VTK, too, where there is one."""

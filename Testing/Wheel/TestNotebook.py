@@ -59,7 +59,7 @@ class Notebook(unittest.TestCase):
         text = "".join(output.get("text", "") for output in outputs)
         self.assertEqual([output for output in outputs if output.get("name") == "stderr"], [])
         shown = "".join(output.get("data", {}).get("text/plain", "") for output in outputs)
-        self.assertRegex(shown, r"<Segmentation: 6144 vertices, 0 self-intersections, 'converged' after \d+ iterations>")
+        self.assertRegex(shown, r"<Segmentation: [\d.]+ ml, confidence [01][.]\d\d, 6144 vertices, 0 self-intersections, 'converged' after \d+ iterations>")
         self.assertRegex(text, r"Dice 0\.9\d\d, mean distance \d\.\d\d mm")
         self.assertRegex(text, r"spleen +done, Dice 0\.9.*\n *left_kidney +done, Dice 0\.9")
         data = [output.get("data", {}) for output in outputs]

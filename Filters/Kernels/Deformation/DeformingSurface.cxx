@@ -24,10 +24,9 @@ DeformingSurface::DeformingSurface(const ScheduleSettings& schedule,
 {
 }
 
-void DeformingSurface::ReleaseSurface(double seconds)
+void DeformingSurface::ReleaseSurface()
 {
   this->Surface = {};
-  this->Surface.FeatureSeconds = seconds;
 }
 
 void DeformingSurface::BeginAt(const DeformableSurface& start, int firstLevel,

@@ -29,9 +29,8 @@ public:
   /// What errors of a run name the surface by, in front; none by default.
   void SetName(const std::string& name) { this->Name = name; }
 
-  /// Frees the surface, not the evidence, for another run; `seconds` is what earlier runs of the
-  /// same call took to find the evidence.
-  void ReleaseSurface(double seconds = 0);
+  /// Frees the surface, not the evidence, for another run.
+  void ReleaseSurface();
 
   /// Begins a run of all levels, which count from `firstLevel`. Throws Error, naming the point, if
   /// an outside point lies in the surface or on it.

@@ -107,7 +107,9 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
     return false;
   }
   this->KeepUnconstrained();
-  kept.Organ.ReleaseSurface(kept.Organ.GetSurface().FeatureSeconds);
+  const double seconds = kept.Organ.GetSurface().FeatureSeconds;
+  kept.Organ.ReleaseSurface();
+  kept.Organ.GetSurface().FeatureSeconds = seconds; // of the whole call
   return true;
 }
 

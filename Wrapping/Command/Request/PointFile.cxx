@@ -144,6 +144,26 @@ std::vector<CorrectionPoint> ReadPoints(const std::string& name, const std::stri
   return points;
 }
 
+std::vector<CorrectionPoint> PointsOfControls(const std::string& name,
+  const std::vector<std::pair<std::string, std::array<double, 3>>>& controls)
+{
+  std::vector<CorrectionPoint> points;
+  int number = 0;
+  for (const auto& [label, place] : controls)
+  {
+    ++number;
+    try
+    {
+      points.push_back(PointOfControl(label, place));
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure("'" + name + "', " + NameOfControl(number, label) + ": " + failure.what() + ".");
+    }
+  }
+  return points;
+}
+
 std::vector<std::array<double, 3>> ReadPlaces(const std::string& name)
 {
   std::vector<std::array<double, 3>> places;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Command
@@ -33,6 +34,11 @@ void RequireRadius(const CorrectionPoint& point);
 /// x, y and z alone, what takes it, if anything. Warns of a file of no points.
 std::vector<CorrectionPoint> ReadPoints(const std::string& name,
   const std::string& whatTakesPlaces = {});
+
+/// The same of control points that are in no file: their labels and places in LPS millimeters, by
+/// the name of the list that they stand in.
+std::vector<CorrectionPoint> PointsOfControls(const std::string& name,
+  const std::vector<std::pair<std::string, std::array<double, 3>>>& controls);
 
 /// Points of one kind: a table of x, y, z, or markups such as a curve, whose labels do not matter.
 /// Throws Failure as ReadPoints().

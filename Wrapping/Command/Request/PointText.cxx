@@ -109,8 +109,7 @@ void ReadMarkups(const std::string& text, const PointReader& reader)
       }
       catch (const Failure& failure)
       {
-        throw Failure("control point " +
-          (label.empty() ? std::to_string(number) : Json(label).dump()) + ": " + failure.what());
+        throw Failure(NameOfControl(number, label) + ": " + failure.what());
       }
     }
   }
@@ -140,6 +139,11 @@ void ReadPointText(const std::string& name, const PointReader& reader)
   {
     throw Failure("'" + name + "', " + failure.what() + ".");
   }
+}
+
+std::string NameOfControl(int number, const std::string& label)
+{
+  return "control point " + (label.empty() ? std::to_string(number) : Json(label).dump());
 }
 
 double PointNumberOf(const std::string& text)

@@ -28,6 +28,9 @@ struct PointReader
 /// Throws Failure, naming the file, the line or the control point, and what is wrong.
 void ReadPointText(const std::string& name, const PointReader& reader);
 
+/// What messages call a control point: by its label, or by its number, from 1 on.
+std::string NameOfControl(int number, const std::string& label);
+
 /// Throws Failure unless the text is a decimal number.
 double PointNumberOf(const std::string& text);
 

@@ -463,6 +463,9 @@ void BindCommand(nb::module_& module)
   module.def("read_points",
     [](const std::string& name, const std::string& whatTakesPlaces)
     { return RowsOf(ReadPoints(name, whatTakesPlaces)); });
+  module.def("points_of_controls",
+    [](const std::string& name, const std::vector<std::pair<std::string, Place>>& controls)
+    { return RowsOf(PointsOfControls(name, controls)); });
   module.def("read_places", &ReadPlaces);
   module.def("points_text", &TextOfRows);
   module.def("named_provenance", &NamedProvenance);

@@ -57,13 +57,17 @@ class Result(Faces, Correctable):
     if TYPE_CHECKING:
 
         @property
+        def confidence(self) -> float: ...
+        @property
         def points(self) -> npt.NDArray[Any]: ...
         @property
         def iterations(self) -> dict[str, npt.NDArray[Any]]: ...
 
     def __repr__(self) -> str:
+        # Rounded down, as in messages: what is doubtful does not look certain.
+        known = "" if math.isnan(self.confidence) else f"confidence {math.floor(100 * self.confidence) / 100:.2f}, "
         return (
-            f"<{type(self).__name__}: {len(self.points)} vertices, "
+            f"<{type(self).__name__}: {self.volume:.1f} ml, {known}{len(self.points)} vertices, "
             f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
             f"{len(self.iterations['Iteration'])} iterations>"
         )

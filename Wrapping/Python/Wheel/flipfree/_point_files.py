@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from . import _kernels
@@ -24,6 +24,14 @@ def read_points(path: str) -> list[Constraint]:
         return constraints_in(_kernels.read_points(path, ""))
     except _kernels.Failure as failure:
         raise FileError(str(failure)) from None
+
+
+def points_of_controls(name: str, controls: Iterable[tuple[str, Sequence[float]]]) -> list[Constraint]:
+    """The points that labels and places of a list of control points mean; raises ValueError."""
+    try:
+        return constraints_in(_kernels.points_of_controls(name, list(controls)))
+    except _kernels.Failure as failure:
+        raise ValueError(str(failure)) from None
 
 
 def read_places(path: str) -> list[tuple[float, ...]]:

@@ -18,21 +18,18 @@ and in any Python with `pip install slicer-core`.
 
 from __future__ import annotations
 
-import json
-import os
-import tempfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from ._coordinates import swap_lps_ras
 from ._corrections import Constraint
-from ._errors import FileError, FlipFreeError
+from ._errors import FlipFreeError
 from ._extras import missing
 from ._foreign import image_from_affine
 from ._image import Image
 from ._parameters import radius_of
-from ._point_files import arguments_of, read_points
+from ._point_files import arguments_of, points_of_controls
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Surface, Vessel, surface_of_label
 from ._segments import COLORS
@@ -335,7 +332,7 @@ def _spheres_of(
             "or place an ROI"
         )
     places = [place for _, place in controls]
-    return [(one.place, one.radius) for one in _parsed(seeds.GetName(), zip(labels, places))]
+    return [(one.place, one.radius) for one in points_of_controls(seeds.GetName(), zip(labels, places))]
 
 
 def _constraints_of(volumeNode: Any, corrections: Any) -> list[Constraint]:
@@ -344,21 +341,8 @@ def _constraints_of(volumeNode: Any, corrections: Any) -> list[Constraint]:
     for node in several:
         if node is not None:
             controls = _controls_of(volumeNode, "corrections", node)
-            constraints += _parsed(node.GetName(), controls) if controls else []
+            constraints += points_of_controls(node.GetName(), controls) if controls else []
     return constraints
-
-
-def _parsed(name: str, controls: Iterable[tuple[str, tuple[float, ...]]]) -> list[Constraint]:
-    """What labels mean is known where files of markups are read."""
-    points = [{"label": label, "position": place} for label, place in controls]
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "markups.mrk.json")
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump({"markups": [{"coordinateSystem": "LPS", "controlPoints": points}]}, file)
-        try:
-            return read_points(path)
-        except FileError as failure:
-            raise ValueError(str(failure).replace(path, name)) from None
 
 
 def _shown(
