@@ -186,9 +186,8 @@ private:
       kept += this->Nodes.IsNode(block) && cut.IsInside(block) ? 1 : 0;
     }
     this->Kept = static_cast<double>(kept) * this->Grid.Blocks.VoxelVolume();
-    return FindSeveredParts(
-      this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth, this->EdgeContrast,
-      [&cut](std::size_t block) { return cut.IsInside(block); });
+    return FindSeveredParts(this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth,
+      this->EdgeContrast, [&cut](std::size_t block) { return cut.IsInside(block); });
   }
 
   // In place of the certainty about the parts' cores, a proposal about each part.
@@ -207,8 +206,8 @@ private:
       cut.Fix(cores, true);
       const double evidence = this->EvidenceOf(part);
       const bool isOwn = evidence < 1;
-      cut.Add({ part.Blocks, isOwn,
-        WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : evidence) });
+      cut.Add(
+        { part.Blocks, isOwn, WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : evidence) });
     }
   }
 

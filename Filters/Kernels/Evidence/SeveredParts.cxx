@@ -220,8 +220,7 @@ std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const Blo
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
   const std::function<bool(std::size_t block)>& isKept)
 {
-  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept)
-    .Execute();
+  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept).Execute();
 }
 
 } // namespace FlipFree

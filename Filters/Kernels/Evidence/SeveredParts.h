@@ -40,7 +40,8 @@ struct NeighborSettings
 /// without a cut outside the rim.
 std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings);
 
-/// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values (SmoothBlockMeans()).
+/// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
+/// (SmoothBlockMeans()).
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
   const std::function<bool(std::size_t block)>& isKept);

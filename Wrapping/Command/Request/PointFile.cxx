@@ -158,7 +158,8 @@ std::vector<CorrectionPoint> PointsOfControls(const std::string& name,
     }
     catch (const Failure& failure)
     {
-      throw Failure("'" + name + "', " + NameOfControl(number, label) + ": " + failure.what() + ".");
+      throw Failure(
+        "'" + name + "', " + NameOfControl(number, label) + ": " + failure.what() + ".");
     }
   }
   return points;
