@@ -43,6 +43,7 @@ DEFINITION = re.compile(
     rf"(?P<type>{TYPES}) (?P<name>[A-Z]\w*)(?P<array>\[\])?(?P<begin> = |\{{)(?P<value>[^;]*);"
 )
 LITERAL = re.compile(r"(?<![\w.])(?P<sign>-?)(?P<number>\d+\.\d+(?:e-?\d+)?F?|\d+(?:e-?\d+)?F?)(?![\w.])")
+CHANGE = re.compile(r"(?P<name>.+?)[*=]-?[\d.]+(?:e-?\d+)?")
 # Each number as it is, unless the environment names it.
 HEADER = """#pragma once
 #include <cmath>
@@ -56,7 +57,7 @@ T Varied(const char* name, T value)
   const char* const all = std::getenv("VARIED");
   const std::size_t length = std::strlen(name);
   const char* at = all ? std::strstr(all, name) : nullptr;
-  while (at && !(at > all && at[-1] == ';' && std::strchr("*=", at[length])))
+  while (at && !(at > all && at[-1] == ';' && (at[length] == '*' || at[length] == '=')))
   {
     at = std::strstr(at + 1, name);
   }
@@ -118,27 +119,37 @@ def varied(line, file, names):
     return changed
 
 
+def sources_of(rooms):
+    """Headers first: what depends on their numbers is no constant for the compiler either."""
+    kernels = SOURCE / "Filters" / "Kernels"
+    paths = [path for room in rooms for path in (kernels / room).glob("*") if path.suffix in (".h", ".cxx")]
+    return sorted(paths, key=lambda path: (path.suffix != ".h", path))
+
+
+def varied_sources(rooms):
+    """Each number by its name, and by path the sources with numbers read by name."""
+    names, texts = {}, {}
+    for path in sources_of(rooms):
+        file = f"{path.parent.name}/{path.name}"
+        text = "\n".join(varied(line, file, names) for line in path.read_text().split("\n"))
+        if "Varied(" in text:
+            text = text.replace("\n#include", f'\n#include "{VARIED}"\n#include', 1)
+        texts[path] = text
+    return names, texts
+
+
 def make_copy(build, rooms):
     """Copies the sources; returns each number by its name."""
     copy = build / "source"
     copy.mkdir(parents=True, exist_ok=True)
+    names, texts = varied_sources(rooms)
     tracked = subprocess.run(["git", "ls-files", "-z"], cwd=SOURCE, check=True, capture_output=True, text=True)
-    names = {}
-    # Headers first: what depends on their numbers is no constant for the compiler either.
-    for path in sorted(filter(None, tracked.stdout.split("\0")), key=lambda path: (not path.endswith(".h"), path)):
+    for path in filter(None, tracked.stdout.split("\0")):
         source, target = SOURCE / path, copy / path
         if not source.is_file():
             continue
         target.parent.mkdir(parents=True, exist_ok=True)
-        parts = pathlib.PurePath(path).parts
-        if parts[:2] == ("Filters", "Kernels") and parts[2] in rooms and path.endswith((".h", ".cxx")):
-            file = f"{parts[2]}/{parts[-1]}"
-            lines = source.read_text().split("\n")
-            text = "\n".join(varied(line, file, names) for line in lines)
-            if "Varied(" in text:
-                text = text.replace("\n#include", f'\n#include "{VARIED}"\n#include', 1)
-        else:
-            text = None
+        text = texts.get(source)
         if text is None:
             if not target.exists() or target.stat().st_mtime < source.stat().st_mtime:
                 shutil.copy(source, target)
@@ -205,8 +216,11 @@ def read_rules(file, names):
         rules = {row["rule"]: row["without"] for row in csv.DictReader(table)}
     for rule, changes in rules.items():
         for change in changes.split():
-            if change.split("=")[0] not in names:
-                raise ValueError(f"{file}: {rule}: there is no number {change.split('=')[0]}; --list shows all")
+            parts = CHANGE.fullmatch(change)
+            if not parts:
+                raise ValueError(f"{file}: {rule}: '{change}' is neither NAME=VALUE nor NAME*FACTOR")
+            if parts["name"] not in names:
+                raise ValueError(f"{file}: {rule}: there is no number {parts['name']}; --list shows all")
     return rules
 
 
@@ -266,6 +280,10 @@ def main():
     options = parser.parse_args()
     build = options.folder.resolve()
     names = make_copy(build, options.rooms)
+    try:
+        rules = read_rules(options.rules, names) if options.rules else {}
+    except (OSError, ValueError) as error:
+        sys.exit(f"MeasureSensitivity.py: {error}.")
     names = {name: value for name, value in names.items() if re.search(options.files, name)}
     if options.list:
         for name, value in names.items():
@@ -282,10 +300,7 @@ def main():
     print(f"{len(before)} rows, mean {mean:.4f}, {low} below 0.8; medians:")
     print(", ".join(f"{organ} {median:.3f}" for organ, median in sorted(medians.items())), "\n")
 
-    if options.rules:
-        changes = read_rules(options.rules, names)
-    else:
-        changes = {f"{name}*{factor}": f"{name}*{factor}" for name in names for factor in FACTORS}
+    changes = rules or {f"{name}*{factor}": f"{name}*{factor}" for name in names for factor in FACTORS}
     pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
     runs = {}
     for label, change in changes.items():

@@ -5,11 +5,12 @@ and README.md.
     RenewRows.py MEASURED [--root DIR] [--data DIR]
 
 MEASURED is what `MeasureCases --cases cases.csv --cases development.csv` has printed. Only cells of its columns change: a
-case or a group that a document does not name is left out, and what a sentence says has to be renewed by hand. Printed
-for that: the number of rows and their mean, and how the confidence ranks them.
+case or a group that a document does not name is left out. By hand have to be renewed what a sentence says, and which
+scores are the ten lowest. Printed for that: the number of rows and their mean, and how the confidence ranks them.
 """
 
 import argparse
+import csv
 import pathlib
 import re
 import statistics
@@ -27,23 +28,28 @@ def line_of(cells):
     return "| " + " | ".join(cells) + " |"
 
 
+# What documents call the columns of MeasureCases.
+COLUMNS = {
+    "Dice": "Dice",
+    "Jaccard": "Jaccard",
+    "ASD mm": "ASD, mm",
+    "HD95 mm": "HD95, mm",
+    "volume": "volume",
+    "iterations": "iterations",
+    "self-intersections": "self-intersections",
+    "confidence": "confidence",
+}
+
+
 def read_measured(text):
     """Each row's numbers as texts, by the case and the column that a document has for them."""
-    rows = {}
+    heads, rows = [], {}
     for line in text.splitlines():
         cells = cells_of(line)
-        if len(cells) != 16 or not re.fullmatch(r"[01]\.\d+", cells[1]):
-            continue
-        rows[cells[0]] = {
-            "Dice": cells[1],
-            "Jaccard": cells[2],
-            "ASD, mm": cells[3],
-            "HD95, mm": cells[4],
-            "volume": cells[5],
-            "iterations": cells[6],
-            "self-intersections": cells[11],
-            "confidence": cells[14],
-        }
+        if cells[0] == "case":
+            heads = cells
+        elif len(cells) == len(heads) and re.fullmatch(r"[01]\.\d+", cells[1]):
+            rows[cells[0]] = {COLUMNS[head]: cell for head, cell in zip(heads, cells) if head in COLUMNS}
     return rows
 
 
@@ -71,18 +77,34 @@ def summaries(rows):
     }
 
 
-def renewed(text, named, first):
+def halves_of(rows):
+    """Of each group: the cells of a table with half A beside half B."""
+    with open(pathlib.Path(__file__).with_name("halves.csv"), newline="", encoding="utf-8") as file:
+        halves = {row["volume"]: row["half"] for row in csv.DictReader(file)}
+    columns = ("rows", "median Dice", "median ASD, mm", "rows below a Dice of 0.8")
+    cells = {}
+    for half in "AB":
+        of_half = {case: row for case, row in rows.items() if halves[case.split("-")[0]] == half}
+        for name, group in summaries(of_half).items():
+            cells.setdefault(name, []).extend(group[column] for column in columns)
+    return cells
+
+
+def renewed(text, named, first, halves=None):
     """The document with new cells in the tables whose first column is called so."""
     columns = []
     lines = []
     for line in text.split("\n"):
+        name = cells_of(line)[0]
         if not line.startswith("|"):
             columns = []
         elif not columns:
             columns = cells_of(line)
-        elif columns[0] == first and cells_of(line)[0] in named:
-            new = named[cells_of(line)[0]]
+        elif columns[0] == first and name in named:
+            new = named[name]
             line = line_of([new.get(column, cell) for column, cell in zip(columns, cells_of(line))])
+        elif columns[1].startswith("half A") and name in (halves or {}):
+            line = line_of([name, *halves[name]])
         lines.append(line)
     return "\n".join(lines)
 
@@ -101,22 +123,23 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=ROOT)
     parser.add_argument("--data", type=pathlib.Path, default=ROOT.parent / "shared" / "data")
     options = parser.parse_args()
-    rows = read_measured(options.measured.read_text())
+    rows = read_measured(options.measured.read_text(encoding="utf-8"))
     if not rows:
         raise SystemExit(f"RenewRows.py: '{options.measured}' holds no row of MeasureCases.")
-    listed = [line.split(",")[0] for line in (options.data / LIST).read_text().split("\n")[1:] if line]
+    listed = [line.split(",")[0] for line in (options.data / LIST).read_text(encoding="utf-8").split("\n")[1:] if line]
     missing = [case for case in listed if case not in rows]
     if missing:
         raise SystemExit(f"RenewRows.py: '{options.measured}' has no row for {missing[0]} of {LIST}.")
-    groups = summaries({case: rows[case] for case in listed})
+    developed = {case: rows[case] for case in listed}
+    groups, halves = summaries(developed), halves_of(developed)
     for page, named, first in (
         ("Examples/Comparison/rows.md", rows, "case"),
         ("Examples/Guide/measures.md", groups, "organ"),
         ("README.md", groups, "organ"),
     ):
         path = options.root / page
-        path.write_text(renewed(path.read_text(), named, first))
-    for title, chosen in ((LIST, [rows[case] for case in listed]), ("all", list(rows.values()))):
+        path.write_text(renewed(path.read_text(encoding="utf-8"), named, first, halves), encoding="utf-8")
+    for title, chosen in ((LIST, list(developed.values())), ("all", list(rows.values()))):
         doubtful = [row for row in chosen if float(row["confidence"]) < DOUBTFUL]
         bad = [row for row in chosen if float(row["Dice"]) < DOUBTFUL]
         both = sum(row in doubtful for row in bad)

@@ -508,7 +508,7 @@ class Guide(unittest.TestCase):
         [(program, printed)] = re.findall(r"(?s)```python\n(.*?)```\n\nIt prints:\n\n```\n(.*?)```", page)
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True, check=True)
-        numbers = r"\d+(?= iterations)|\d+(?= ml)"  # another processor may round otherwise
+        numbers = r"\d+(?= iterations)|[\d.]+(?= ml)|(?<=confidence )[\d.]+"  # another processor may round otherwise
         self.assertEqual(re.sub(numbers, "", process.stdout), re.sub(numbers, "", printed))
 
 

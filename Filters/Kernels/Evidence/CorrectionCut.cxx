@@ -301,7 +301,8 @@ private:
       this->Smooth, this->Leaks->GetSquaredDistances(), this->Links.EdgeContrast,
       [&part](std::size_t block) { return !std::binary_search(part.begin(), part.end(), block); });
     return std::all_of(severed.begin(), severed.end(),
-      [&](const SeveredPart& one) { return EvidenceOfNeighbor(one, {}).value_or(1) < 1; });
+      [&](const SeveredPart& one)
+      { return EvidenceOfNeighbor(one, {}, this->Spread, this->Known.Kind).value_or(1) < 1; });
   }
 
   // Of what is not in the mask, the part around the point.

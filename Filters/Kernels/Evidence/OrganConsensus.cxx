@@ -116,7 +116,7 @@ private:
     return cut;
   }
 
-  // None where the foreground has leaked.
+  // None where the foreground has leaked, or the monitor stopped it.
   std::optional<BitMask> Grow(const ImageView<float>& image, const IntensityModel& model,
     double opening)
   {

@@ -22,6 +22,8 @@ namespace
 // What an entire part is worth to the cut where its gray values are the organ's, per mm3; what a
 // proposal weighs of which the image is sure.
 constexpr double WorthOfOrgan = 0.7;
+// Beyond, more evidence does not make the image surer.
+constexpr double MostEvidence = 16;
 // Of what the first cut keeps: parts that are smaller are not worth a doubt.
 constexpr double LeastDoubt = 0.06;
 
@@ -69,7 +71,8 @@ public:
       return false;
     }
     std::vector<SeveredPart> parts = this->FindParts(cut);
-    if (!parts.empty())
+    this->State.HasParts = !parts.empty();
+    if (this->State.HasParts)
     {
       this->Propose(parts, cut);
       if (!cut.Execute(this->Parallel, this->Ask) ||
@@ -178,6 +181,7 @@ private:
     return cut;
   }
 
+  // The severed parts that are not too small for a proposal.
   std::vector<SeveredPart> FindParts(const RegionCut& cut)
   {
     std::size_t kept = 0;
@@ -186,8 +190,9 @@ private:
       kept += this->Nodes.IsNode(block) && cut.IsInside(block) ? 1 : 0;
     }
     this->Kept = static_cast<double>(kept) * this->Grid.Blocks.VoxelVolume();
-    return FindSeveredParts(this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth,
-      this->EdgeContrast, [&cut](std::size_t block) { return cut.IsInside(block); });
+    return FindSeveredParts(
+      this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth, this->EdgeContrast,
+      [&cut](std::size_t block) { return cut.IsInside(block); }, 1000 * this->Settings.LeastPart);
   }
 
   // In place of the certainty about the parts' cores, a proposal about each part.
@@ -206,22 +211,25 @@ private:
       cut.Fix(cores, true);
       const double evidence = this->EvidenceOf(part);
       const bool isOwn = evidence < 1;
-      cut.Add(
-        { part.Blocks, isOwn, WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : evidence) });
+      cut.Add({ part.Blocks, isOwn,
+        WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : std::min(evidence, MostEvidence)) });
     }
   }
 
-  // That a part is a neighbor of the organ: 1 and above. A part is one where gray values cannot be
-  // compared, and in MR, where the coil's field hides the difference.
+  // That a part is a neighbor of the organ: above 1.
   double EvidenceOf(const SeveredPart& part) const
   {
     if (this->IsKnownToBeOwn(part))
     {
       return 0;
     }
-    return this->Kind == Modality::MR
-      ? 1
-      : EvidenceOfNeighbor(part, this->Settings.Neighbor).value_or(1);
+    const OrganCutSettings& settings = this->Settings;
+    const double evidence = EvidenceOfNeighbor(part, settings.Neighbor, this->Spread, this->Kind)
+                              .value_or(settings.LeastEvidence);
+    const bool mayBeOwn = this->Kind != Modality::MR &&
+      part.Volume >= settings.LeastOwnPart * this->Kept &&
+      part.Volume <= settings.GreatestOwnPart * this->Kept;
+    return mayBeOwn ? evidence : std::max(evidence, settings.LeastEvidence);
   }
 
   // Most of its blocks, by their first voxels.
@@ -405,6 +413,7 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
     state.Own = BitMask(geometry);
     state.Own.Insert(ofPart.Own, box.Begin);
   }
+  state.HasParts = ofPart.HasParts;
   state.Doubts.insert(state.Doubts.end(), ofPart.Doubts.begin(), ofPart.Doubts.end());
   return true;
 }

@@ -38,6 +38,15 @@ struct OrganCutSettings
 
   NeighborSettings Neighbor;
 
+  /// The least evidence in MR, where the coil's field hides the difference between a part and a
+  /// neighbor; for parts of less than LeastOwnPart or more than GreatestOwnPart of what the cut
+  /// keeps without them, most of which are neighbors whatever their gray values; and where gray
+  /// values cannot be compared.
+  double LeastEvidence = 2.25;
+  double LeastOwnPart = 0.065;
+  double GreatestOwnPart = 2;
+  double LeastPart = 1; ///< ml; of smaller ones, all that lies behind a neck is cut off
+
   /// What a block that nothing supports (OrganCutState) loses of its worth, per mm3.
   double UnsupportedLoss = 0.5;
 
@@ -49,6 +58,7 @@ struct OrganCutState
 {
   BitMask Supported; ///< what of the mask there is more evidence for; without a grid, all
   BitMask Own;       ///< parts that were found to be the organ's own, and stay so; may have no grid
+  bool HasParts = false;            ///< whether there was a part to decide about
   std::vector<DoubtfulPart> Doubts; ///< what might have been decided otherwise
 };
 

@@ -46,7 +46,7 @@ public:
     }
   }
 
-  std::vector<SeveredPart> Execute()
+  std::vector<SeveredPart> Execute(double leastVolume)
   {
     std::vector<SeveredPart> parts;
     std::vector<bool> isFound(this->Sides.size(), false);
@@ -54,8 +54,12 @@ public:
     {
       if (!isFound[block] && this->Sides[block] == Side::Severed)
       {
-        parts.push_back(this->PartOf(block, isFound));
-        this->MeasureCut(parts.back());
+        SeveredPart part = this->PartOf(block, isFound);
+        if (part.Volume >= leastVolume)
+        {
+          this->MeasureCut(part);
+          parts.push_back(std::move(part));
+        }
       }
     }
     return parts;
@@ -205,22 +209,25 @@ private:
 
 } // namespace
 
-std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings)
+std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
+  double spread, Modality modality)
 {
   if (part.Area == 0 || part.Samples == 0)
   {
     return std::nullopt;
   }
-  const double step = part.Step / settings.Step;
+  const double least = modality == Modality::MR ? 0 : settings.LeastStepInCT;
+  const double step = part.Step / std::max(settings.Step * spread, least);
   const double edge = part.Edge / settings.Edge;
   return std::max(step * step, edge * edge);
 }
 
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
-  const std::function<bool(std::size_t block)>& isKept)
+  const std::function<bool(std::size_t block)>& isKept, double leastVolume)
 {
-  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept).Execute();
+  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept)
+    .Execute(leastVolume);
 }
 
 } // namespace FlipFree

@@ -9,6 +9,7 @@
 #define FlipFreeSeveredParts_h
 
 #include "Image/BlockNetwork.h"
+#include "Intensity/Modality.h"
 
 #include <functional>
 #include <optional>
@@ -32,19 +33,22 @@ struct SeveredPart
 /// What makes a severed part a neighbor of the organ: evidence of 1.
 struct NeighborSettings
 {
-  double Step = 3.5; ///< SeveredPart::Step, in Hounsfield units; vessels make a smaller one
+  double Step = 0.15; ///< SeveredPart::Step, in standard deviations of the organ's gray values
+  /// In CT, at least so many Hounsfield units: vessels make a smaller step.
+  double LeastStepInCT = 2.5;
   double Edge = 0.1; ///< SeveredPart::Edge
 };
 
-/// In CT. It grows with the squares of step and edge. There is none of a part without samples, or
-/// without a cut outside the rim.
-std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings);
+/// It grows with the squares of step and edge. `spread` is the standard deviation of the organ's
+/// gray values. There is none of a part without samples, or without a cut outside the rim.
+std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
+  double spread, Modality modality);
 
-/// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
-/// (SmoothBlockMeans()).
+/// The connected parts of the nodes that are not kept, but for those of less than the least volume
+/// (mm3). `smooth` are the blocks' gray values (SmoothBlockMeans()).
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
-  const std::function<bool(std::size_t block)>& isKept);
+  const std::function<bool(std::size_t block)>& isKept, double leastVolume = 0);
 
 } // namespace FlipFree
 

@@ -34,8 +34,8 @@ constexpr double RimEnd = 15;
 constexpr int Margin = static_cast<int>(RimEnd / GridStep); // of the grid, for the rim; steps
 static_assert(Reach <= Margin);
 
-// HU. What is outside the image is fat; a difference says nothing, or all.
-constexpr float Fat = -100;
+// HU. Darker gray values say no more; a difference says nothing, or all.
+constexpr float Darkest = -100;
 constexpr float NoEdge = 20;
 constexpr float ClearEdge = 60;
 
@@ -88,7 +88,7 @@ struct GridVoxels
   std::vector<unsigned char> IsInOrgan;
 
   GridVoxels(const ImageView<float>& image, const BitMask& organ, const ImageGeometry& grid)
-    : Gray(grid.NumberOfVoxels(), Fat)
+    : Gray(grid.NumberOfVoxels(), Darkest)
     , IsInOrgan(Gray.size(), 0)
   {
     for (std::size_t place = 0; place < this->Gray.size(); ++place)
@@ -98,7 +98,7 @@ struct GridVoxels
       if (image.Geometry.Contains(voxel[0], voxel[1], voxel[2]))
       {
         const float value = image(voxel[0], voxel[1], voxel[2]);
-        this->Gray[place] = HasData(value) ? value : Fat;
+        this->Gray[place] = HasData(value) ? std::max(value, Darkest) : Darkest;
         this->IsInOrgan[place] = organ(voxel[0], voxel[1], voxel[2]) ? 1 : 0;
       }
     }

@@ -35,8 +35,8 @@ void RequireRadius(const CorrectionPoint& point);
 std::vector<CorrectionPoint> ReadPoints(const std::string& name,
   const std::string& whatTakesPlaces = {});
 
-/// The same of control points that are in no file: their labels and places in LPS millimeters, by
-/// the name of the list that they stand in.
+/// Of control points that are in no file: their labels and places in LPS millimeters, by the name
+/// of the list that they stand in. Throws Failure, naming the list and the control point.
 std::vector<CorrectionPoint> PointsOfControls(const std::string& name,
   const std::vector<std::pair<std::string, std::array<double, 3>>>& controls);
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._corrections import Constraint, Correctable
 from ._faces import Faces
+from ._messages import confidence_text
 from ._questions import Question
 
 if TYPE_CHECKING:
@@ -64,8 +65,7 @@ class Result(Faces, Correctable):
         def iterations(self) -> dict[str, npt.NDArray[Any]]: ...
 
     def __repr__(self) -> str:
-        # Rounded down, as in messages: what is doubtful does not look certain.
-        known = "" if math.isnan(self.confidence) else f"confidence {math.floor(100 * self.confidence) / 100:.2f}, "
+        known = "" if math.isnan(self.confidence) else f"confidence {confidence_text(self.confidence)}, "
         return (
             f"<{type(self).__name__}: {self.volume:.1f} ml, {known}{len(self.points)} vertices, "
             f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "

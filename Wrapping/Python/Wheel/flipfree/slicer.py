@@ -332,7 +332,7 @@ def _spheres_of(
             "or place an ROI"
         )
     places = [place for _, place in controls]
-    return [(one.place, one.radius) for one in points_of_controls(seeds.GetName(), zip(labels, places))]
+    return [(one.place, one.radius) for one in points_of_controls(seeds.GetName() or "", zip(labels, places))]
 
 
 def _constraints_of(volumeNode: Any, corrections: Any) -> list[Constraint]:
@@ -341,7 +341,7 @@ def _constraints_of(volumeNode: Any, corrections: Any) -> list[Constraint]:
     for node in several:
         if node is not None:
             controls = _controls_of(volumeNode, "corrections", node)
-            constraints += points_of_controls(node.GetName(), controls) if controls else []
+            constraints += points_of_controls(node.GetName() or "", controls)
     return constraints
 
 
