@@ -203,8 +203,8 @@ TEST(VenaCavaCarving, LeavesMR)
   EXPECT_EQ(Carved(abdomen, abdomen.Image(), found, Modality::MR), found);
 }
 
-// But not organs of less than 700 ml.
-TEST(VenaCavaCarving, CarvesLiversOfAnySize)
+// Less than 700 ml, more than 4 l, and in slices through which a vein cannot be followed.
+TEST(VenaCavaCarving, LeavesOtherSizes)
 {
   for (const double height : { 22.0, 45.0, 170.0 })
   {
@@ -219,25 +219,15 @@ TEST(VenaCavaCarving, CarvesLiversOfAnySize)
         std::hypot((point.x() - 110) / 70, (point.y() - 90) / 55) < 1;
     };
     abdomen.Found = abdomen.Liver;
-    height == 22 ? ExpectUntouched(abdomen) : ExpectCarved(abdomen);
+    height == 45 ? ExpectCarved(abdomen) : ExpectUntouched(abdomen);
   }
-}
-
-// Through thick slices, a vein cannot be followed.
-TEST(VenaCavaCarving, LeavesThickSlices)
-{
-  for (const double slice : { 12.5, 20.0, 50.0, 300.0 })
+  for (const double slice : { 20.0, 50.0, 300.0 })
   {
-    SCOPED_TRACE(slice);
     Abdomen thick;
-    thick.Geometry.Dimensions[2] = slice == 12.5 ? 32 : 10;
+    thick.Geometry.Dimensions[2] = 10;
     thick.Geometry.Spacing[2] = slice;
     ExpectUntouched(thick);
   }
-  Abdomen thinner;
-  thinner.Geometry.Dimensions[2] = 34;
-  thinner.Geometry.Spacing[2] = 11.5;
-  ExpectCarved(thinner);
 }
 
 TEST(VenaCavaCarving, ReadsOnlyWhatItAskedFor)

@@ -156,6 +156,7 @@ private:
     {
       const int part = parts.PartOf[block];
       if (part >= 0 && this->Inside[block] && !parts.HoldsSeed[part] &&
+        parts.Peaks[part] >= settings.LeastPeak * settings.LeastPeak &&
         depth[block] > settings.CoreDepth * settings.CoreDepth * parts.Peaks[part])
       {
         this->Cores.push_back(block);

@@ -30,6 +30,7 @@ struct OrganCutSettings
   double NeckRatio = 0.7;
   double NeckRatioOfSlender = 0.5;
   double SlenderRadius = 12;
+  double LeastPeak = 3;   ///< mm; the depth of parts that are no more than flat
   double CoreDepth = 0.6; ///< of a part's depth; what is deeper is its core
 
   /// What a cut costs per mm2 and millimeter of the organ's depth, of which 5 to 40 count. The

@@ -212,7 +212,7 @@ private:
 std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
   double spread, Modality modality)
 {
-  if (part.Area == 0 || part.Samples == 0)
+  if (part.Area == 0 || part.Samples < settings.LeastSamples)
   {
     return std::nullopt;
   }

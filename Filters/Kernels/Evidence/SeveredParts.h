@@ -37,10 +37,12 @@ struct NeighborSettings
   /// In CT, at least so many Hounsfield units: vessels make a smaller step.
   double LeastStepInCT = 2.5;
   double Edge = 0.1; ///< SeveredPart::Edge
+  /// With fewer, or without a cut outside the rim, there is no evidence.
+  int LeastSamples = 20;
 };
 
 /// It grows with the squares of step and edge. `spread` is the standard deviation of the organ's
-/// gray values. There is none of a part without samples, or without a cut outside the rim.
+/// gray values.
 std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
   double spread, Modality modality);
 
