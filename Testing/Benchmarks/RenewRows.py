@@ -28,28 +28,15 @@ def line_of(cells):
     return "| " + " | ".join(cells) + " |"
 
 
-# What documents call the columns of MeasureCases.
-COLUMNS = {
-    "Dice": "Dice",
-    "Jaccard": "Jaccard",
-    "ASD mm": "ASD, mm",
-    "HD95 mm": "HD95, mm",
-    "volume": "volume",
-    "iterations": "iterations",
-    "self-intersections": "self-intersections",
-    "confidence": "confidence",
-}
-
-
 def read_measured(text):
     """Each row's numbers as texts, by the case and the column that a document has for them."""
     heads, rows = [], {}
     for line in text.splitlines():
         cells = cells_of(line)
         if cells[0] == "case":
-            heads = cells
+            heads = [head.replace(" mm", ", mm") for head in cells]
         elif len(cells) == len(heads) and re.fullmatch(r"[01]\.\d+", cells[1]):
-            rows[cells[0]] = {COLUMNS[head]: cell for head, cell in zip(heads, cells) if head in COLUMNS}
+            rows[cells[0]] = dict(zip(heads, cells))
     return rows
 
 
@@ -103,7 +90,7 @@ def renewed(text, named, first, halves=None):
         elif columns[0] == first and name in named:
             new = named[name]
             line = line_of([new.get(column, cell) for column, cell in zip(columns, cells_of(line))])
-        elif columns[1].startswith("half A") and name in (halves or {}):
+        elif "half A: rows" in columns and name in (halves or {}):
             line = line_of([name, *halves[name]])
         lines.append(line)
     return "\n".join(lines)

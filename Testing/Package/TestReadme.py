@@ -64,7 +64,7 @@ RESULTS = {
     "python.md": r"6144 vertices, 0 self.*\nScores\(dice=0\.9[3-9](.*\n)+"
                  r"converged \(6144, 3\) [0-9]+ voxels\n0\.9[3-9].*\nconverged 6144\n$",
     "README.md": r"Is the part of [0-9]+ ml at",
-    "start-label-map.md": r"\n<Segmentation: [0-9.]+ ml, (confidence [01]\.[0-9]+, )?[0-9]+ vertices, 0 self-intersections.*\n$",
+    "start-label-map.md": r"\n<Segmentation: [0-9.]+ ml, confidence [01]\.[0-9]+, [0-9]+ vertices, 0 self-intersections.*\n$",
     "label-surfaces.md": r"\n0 voxels on the wrong side",
 }
 
