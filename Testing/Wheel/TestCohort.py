@@ -1,5 +1,6 @@
 """Cohorts on Dask: a real scheduler with two worker processes on the loopback, and one of them killed."""
 
+import contextlib
 import csv
 import functools
 import json
@@ -98,10 +99,12 @@ def scheduler():
     for _ in range(WORKERS):
         start("dask_worker", "--host", "127.0.0.1", "--nthreads", "1", "--no-dashboard", "--local-directory",
               folder.name)
-    end = time.monotonic() + 120
-    while not address.exists() and time.monotonic() < end:
+    found, end = None, time.monotonic() + 120
+    while not found and time.monotonic() < end:
         time.sleep(0.1)
-    found = json.loads(address.read_text())["address"]
+        # The scheduler creates its file first, and fills it later.
+        with contextlib.suppress(FileNotFoundError, json.JSONDecodeError):
+            found = json.loads(address.read_text())["address"]
     with distributed.Client(found, set_as_default=False) as client:
         client.wait_for_workers(WORKERS, timeout=120)
     return found
