@@ -109,9 +109,10 @@ def draw_surfaces(path, label, views):
 
 
 def draw_question(path):
-    """The liver as it is found, what its first question asks about, and the liver by the answer."""
-    image, truth = PHANTOM.GetOutput(), truth_of(LIVER)
-    asked = Corrections(image, *inputs.seed_in(PHANTOM, LIVER))
+    """A liver in more noise, what its first question asks about, and the liver by the answer."""
+    phantom, truth = inputs.phantom(noise=20, random_seed=2), truth_of(LIVER)
+    image = phantom.GetOutput()
+    asked = Corrections(image, *inputs.seed_in(phantom, LIVER))
     question = asked.questions()[0]
     row = []
 
@@ -120,7 +121,7 @@ def draw_question(path):
         surface.DeepCopy(asked.surface)  # which the answer changes
         contours = [scene.contour_actor(truth, question.place, scene.AXIAL, scene.BLUE, 3.2),
                     scene.contour_actor(surface, question.place, scene.AXIAL, scene.YELLOW, 1.6)]
-        scores = flipfree.evaluate(asked.filter.GetLabelMap(), PHANTOM.GetLabelMap(),
+        scores = flipfree.evaluate(asked.filter.GetLabelMap(), phantom.GetLabelMap(),
                                    reference_label=LIVER)
         caption = f"{caption}: Dice {scores.dice:.3f}"
         print(f"{path.stem}: {caption}")

@@ -6,10 +6,12 @@ import flipfree
 import scene
 
 
-def phantom():
+def phantom(noise=12, random_seed=1):
     """A schematic CT of the upper abdomen; its second output is the truth, organ by organ."""
     source = flipfree.vtkPhantomSource()
     source.SetShapeToAbdomen()
+    source.SetNoiseStandardDeviation(noise)
+    source.SetRandomSeed(random_seed)
     source.Update()
     return source
 

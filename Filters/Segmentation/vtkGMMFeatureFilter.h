@@ -149,11 +149,11 @@ public:
    * edge is in between), up to where the gray values are halfway between those of the organ and
    * those of its surroundings, both taken locally. In CT, the fat in hollows that open to the
    * outside, at most 20 mm wide, is removed from it, and so is the inferior vena cava from an organ
-   * of 0.7 to 4 l, as a liver is. Default on. vtkFlipFreeSegmentation first runs all levels without
-   * carving, then carves, and runs all levels again, from the start, on that foreground. A pipeline
-   * of the stages does the same with CarvingOff() at first and CarvingOn() later. See Y. Boykov, G.
-   * Funka-Lea: Graph cuts and efficient N-D image segmentation, 2006. Without a surface, it does
-   * nothing.
+   * of at least 0.7 l, as a liver is. Default on. vtkFlipFreeSegmentation first runs all levels
+   * without carving, then carves, and runs all levels again, from the start, on that foreground. A
+   * pipeline of the stages does the same with CarvingOff() at first and CarvingOn() later. See Y.
+   * Boykov, G. Funka-Lea: Graph cuts and efficient N-D image segmentation, 2006. Without a surface,
+   * it does nothing.
    */
   void SetCarving(bool value);
   bool GetCarving() const;

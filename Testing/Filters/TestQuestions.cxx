@@ -193,13 +193,15 @@ TEST_F(Questions, TheFirstIsTheWarningAndAPointAnswersIt)
 
 TEST_F(Questions, AskForWhatWasLeftOut)
 {
-  this->Segment(4);
+  this->Segment(6);
   this->ExpectTheLobe();
   EXPECT_EQ(this->Number("included"), 0);
   EXPECT_LT(this->Milliliters(), 120);
+  ASSERT_EQ(this->Warnings.size(), 1U);
+  EXPECT_NE(this->Warnings[0].find(" adds it."), std::string::npos) << this->Warnings[0];
   this->Filter->KeepForCorrectionsOn();
   this->Filter->AddInsidePoint(this->Number("x"), this->Number("y"), this->Number("z"));
-  this->Segment(4);
+  this->Segment(6);
   EXPECT_EQ(this->Filter->GetQuestions()->GetNumberOfRows(), 0);
   EXPECT_GT(this->Milliliters(), 140);
   // What a run has kept asks the same questions again, once the answer is taken back.
@@ -210,7 +212,7 @@ TEST_F(Questions, AskForWhatWasLeftOut)
 
 TEST_F(Questions, ThereAreNoneWithoutCarvingAndAfterErrors)
 {
-  this->Segment(4);
+  this->Segment(6);
   ASSERT_EQ(this->Filter->GetQuestions()->GetNumberOfRows(), 1);
   this->Filter->SetSeedCenter(500, 0, 0);
   EXPECT_NE(FlipFree::ErrorOfUpdate(this->Filter), "0 errors");

@@ -38,7 +38,9 @@ class Questions(unittest.TestCase):
         self.assertTrue(numpy.array_equal(again.points, without.points))
 
     def test_yes_brings_what_was_left_out(self):
-        organ = segmented(4)
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning,
+                                   r"^Is the part of \d+ ml at \(\d+, \d+, \d+\) mm organ\? inside \d+ \d+ \d+ adds it\.$"):
+            organ = segmented(6)
         question, = organ.questions
         self.assertIs(question.included, False)
         self.assertRegex(str(question), "It is left out.$")

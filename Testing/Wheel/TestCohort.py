@@ -200,7 +200,7 @@ class Columns(SchedulerTest):
 
     def test_questions(self):
         """Their number, and the place of the first as the columns of points take it."""
-        voxels = numpy.frombuffer(lobed_ball.lobed_ball(4), numpy.int16).reshape(lobed_ball.SIZE[::-1])
+        voxels = numpy.frombuffer(lobed_ball.lobed_ball(6), numpy.int16).reshape(lobed_ball.SIZE[::-1])
         flipfree.write_image(flipfree.image_from_array(voxels, lobed_ball.SPACING), self.folder / "lobed.nii.gz")
         x, y, z = lobed_ball.SEED
         row = {"case": "a", "volume": self.folder / "lobed.nii.gz", "seed_x": x, "seed_y": y, "seed_z": z,

@@ -65,8 +65,7 @@ public:
     , Ball(BallInside(evidence.Before, evidence.Seed))
     , Similarity(evidence.Noise, evidence.Kind)
     , Smooth(SmoothBlockMeans(evidence.Image, Grid, parallelFor))
-    , Spread(FindSpread())
-    , Links(RegionLinks(Smoothness, Ball.Radius, Spread))
+    , Links(RegionLinks(Smoothness, Ball.Radius, FindSpread()))
     , Fill(Grid.CountVoxels(evidence.Before, parallelFor))
     , Worth(Fill.size(), Stays)
     , IsCertain(Fill.size(), false)
@@ -301,8 +300,7 @@ private:
       this->Smooth, this->Leaks->GetSquaredDistances(), this->Links.EdgeContrast,
       [&part](std::size_t block) { return !std::binary_search(part.begin(), part.end(), block); });
     return std::all_of(severed.begin(), severed.end(),
-      [&](const SeveredPart& one)
-      { return EvidenceOfNeighbor(one, {}, this->Spread, this->Known.Kind).value_or(1) < 1; });
+      [&](const SeveredPart& one) { return EvidenceOfNeighbor(one).value_or(1) < 1; });
   }
 
   // Of what is not in the mask, the part around the point.
@@ -574,7 +572,6 @@ private:
 
   // Of the blocks.
   const std::vector<float> Smooth;     // gray values
-  const double Spread;                 // of them, around the seed
   const BlockLinks Links;              // what cuts between them cost
   const std::vector<std::size_t> Fill; // voxels in the mask
   std::vector<unsigned char> IsIn;     // half of the block is in the mask

@@ -24,7 +24,6 @@ constexpr double OpeningRadius = 1.8;
 constexpr double BlockSize = 4;
 
 // In robust standard deviations of the organ about its local mean.
-constexpr double GreatestContrast = 40;
 constexpr double LeastHalf = 2.5;
 constexpr double GreatestHalf = 12;
 
@@ -117,12 +116,11 @@ private:
     }
     shell.Remove(gap);
     const auto smallest = static_cast<float>(this->Spread);
-    const auto greatest = static_cast<float>(GreatestContrast * this->Spread);
     const float power = this->Rule.Power;
     this->Halves = this->AverageOf(shell, this->Rule.Deviation,
       [=](float value, float mean)
       {
-        const float contrast = std::max(smallest, std::min(std::abs(value - mean), greatest));
+        const float contrast = std::max(smallest, std::abs(value - mean));
         return power < 0 ? 1 / contrast : contrast;
       });
     const auto least = static_cast<float>(LeastHalf * this->Spread);

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr int CarvingRounds = 2;
-// Of the candidate. Where the first cut makes it smaller by less, and had no part to decide about,
-// a second one, and a second move of the boundary, hardly change anything.
+// Of the candidate. Where the first cut makes it smaller by less, a second one, and a second move
+// of the boundary, hardly change anything.
 constexpr double LeastCut = 0.02;
 
 } // namespace
@@ -53,7 +53,7 @@ bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const 
     {
       return false;
     }
-    isSettled = !state.HasParts && static_cast<double>(mask.Count()) > (1 - LeastCut) * before;
+    isSettled = static_cast<double>(mask.Count()) > (1 - LeastCut) * before;
     state.Supported = BitMask(); // what is left is what the cut has chosen
     ++done;
     if (!GrowRim(part, noise, modality, parallelFor, proceed, mask))

@@ -1,9 +1,8 @@
 /**
- * From all that may be the organ to the organ's foreground:
- * parts attached by a neck are cut off (OrganCut.h), then the boundary moves to half the local
- * contrast; where the first cut had a part to decide about, or makes the candidate smaller by 2 %
- * or more, both are done twice. Carving comes first, since a rim on a leak deepens the leak.
- * Finally, in CT, the fat in hollows is removed.
+ * From all that may be the organ to the organ's foreground: parts attached by a neck are cut off
+ * (OrganCut.h), then the boundary moves to half the local contrast; where the first cut makes the
+ * candidate smaller by 2 % or more, both are done twice. Carving comes first, since a rim on a leak
+ * deepens the leak. Finally, in CT, the fat in hollows is removed.
  */
 #ifndef FlipFreeOrganCarving_h
 #define FlipFreeOrganCarving_h

@@ -25,7 +25,6 @@ constexpr double WidestOpening = 9;
 // Of the usual opening's radius.
 constexpr double WiderOpening = 1.6;
 // A foreground's volume in comparison with what was carved.
-constexpr double LeastGrowth = 0.2;
 constexpr double GreatestGrowth = 3;
 // Of one that goes on beyond the surroundings, so that only a part of it is known.
 constexpr double GreatestCutGrowth = 2;
@@ -117,7 +116,7 @@ private:
     return cut;
   }
 
-  // None where the foreground has leaked, or is too small or too large to be about this organ.
+  // None where the foreground has leaked.
   std::optional<BitMask> Grow(const ImageView<float>& image, const IntensityModel& model,
     double opening)
   {
@@ -128,9 +127,8 @@ private:
       return std::nullopt;
     }
     ++this->Grown;
-    const auto count = static_cast<double>(grown.Count());
     const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
-    if (count < LeastGrowth * this->Count || count > most * this->Count)
+    if (static_cast<double>(grown.Count()) > most * this->Count)
     {
       return std::nullopt;
     }

@@ -36,11 +36,11 @@ struct FurtherOpinions
 };
 
 /// Replaces the carved foreground, on the grid of the image, by the consensus. A foreground that
-/// fills less than a fifth or more than thrice its volume, or more than twice and goes on beyond
-/// ConsensusBox(), is about something else; without both of the two, nothing is decided, and the
-/// unanimity is 1/2. `noise` is the standard deviation before smoothing; the settings' modality is
-/// not Automatic. Returns false if the monitor, asked before each pass over the image, stopped it;
-/// the foreground is then as it was.
+/// fills more than thrice its volume, or more than twice and goes on beyond ConsensusBox(), is
+/// about something else; without both of the two, nothing is decided, and the unanimity is 1/2.
+/// `noise` is the standard deviation before smoothing; the settings' modality is not Automatic.
+/// Returns false if the monitor, asked before each pass over the image, stopped it; the foreground
+/// is then as it was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   BitMask& carved, FurtherOpinions& opinions);

@@ -22,8 +22,6 @@ namespace
 // What an entire part is worth to the cut where its gray values are the organ's, per mm3; what a
 // proposal weighs of which the image is sure.
 constexpr double WorthOfOrgan = 0.7;
-// Beyond, more evidence does not make the image surer.
-constexpr double MostEvidence = 16;
 // Of what the first cut keeps: parts that are smaller are not worth a doubt.
 constexpr double LeastDoubt = 0.06;
 
@@ -71,8 +69,7 @@ public:
       return false;
     }
     std::vector<SeveredPart> parts = this->FindParts(cut);
-    this->State.HasParts = !parts.empty();
-    if (this->State.HasParts)
+    if (!parts.empty())
     {
       this->Propose(parts, cut);
       if (!cut.Execute(this->Parallel, this->Ask) ||
@@ -156,7 +153,6 @@ private:
     {
       const int part = parts.PartOf[block];
       if (part >= 0 && this->Inside[block] && !parts.HoldsSeed[part] &&
-        parts.Peaks[part] >= settings.LeastPeak * settings.LeastPeak &&
         depth[block] > settings.CoreDepth * settings.CoreDepth * parts.Peaks[part])
       {
         this->Cores.push_back(block);
@@ -182,7 +178,6 @@ private:
     return cut;
   }
 
-  // The severed parts that are not too small for a proposal.
   std::vector<SeveredPart> FindParts(const RegionCut& cut)
   {
     std::size_t kept = 0;
@@ -191,9 +186,8 @@ private:
       kept += this->Nodes.IsNode(block) && cut.IsInside(block) ? 1 : 0;
     }
     this->Kept = static_cast<double>(kept) * this->Grid.Blocks.VoxelVolume();
-    return FindSeveredParts(
-      this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth, this->EdgeContrast,
-      [&cut](std::size_t block) { return cut.IsInside(block); }, 1000 * this->Settings.LeastPart);
+    return FindSeveredParts(this->Grid.Blocks, this->Nodes, this->Smooth, this->SquaredDepth,
+      this->EdgeContrast, [&cut](std::size_t block) { return cut.IsInside(block); });
   }
 
   // In place of the certainty about the parts' cores, a proposal about each part.
@@ -212,25 +206,22 @@ private:
       cut.Fix(cores, true);
       const double evidence = this->EvidenceOf(part);
       const bool isOwn = evidence < 1;
-      cut.Add({ part.Blocks, isOwn,
-        WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : std::min(evidence, MostEvidence)) });
+      cut.Add(
+        { part.Blocks, isOwn, WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : evidence) });
     }
   }
 
-  // That a part is a neighbor of the organ: above 1.
+  // That a part is a neighbor of the organ: 1 and above. A part is one where gray values cannot be
+  // compared, and in MR, where the coil's field hides the difference.
   double EvidenceOf(const SeveredPart& part) const
   {
     if (this->IsKnownToBeOwn(part))
     {
       return 0;
     }
-    const OrganCutSettings& settings = this->Settings;
-    const double evidence = EvidenceOfNeighbor(part, settings.Neighbor, this->Spread, this->Kind)
-                              .value_or(settings.LeastEvidence);
-    const bool mayBeOwn = this->Kind != Modality::MR &&
-      part.Volume >= settings.LeastOwnPart * this->Kept &&
-      part.Volume <= settings.GreatestOwnPart * this->Kept;
-    return mayBeOwn ? evidence : std::max(evidence, settings.LeastEvidence);
+    return this->Kind == Modality::MR
+      ? 1
+      : EvidenceOfNeighbor(part).value_or(1);
   }
 
   // Most of its blocks, by their first voxels.
@@ -414,7 +405,6 @@ bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Moda
     state.Own = BitMask(geometry);
     state.Own.Insert(ofPart.Own, box.Begin);
   }
-  state.HasParts = ofPart.HasParts;
   state.Doubts.insert(state.Doubts.end(), ofPart.Doubts.begin(), ofPart.Doubts.end());
   return true;
 }

@@ -10,7 +10,6 @@
 #define FlipFreeOrganCut_h
 
 #include "Evidence/DoubtfulPart.h"
-#include "Evidence/SeveredParts.h"
 #include "Image/BitMask.h"
 #include "Image/ImagePart.h"
 #include "Image/SeedRegion.h"
@@ -30,23 +29,11 @@ struct OrganCutSettings
   double NeckRatio = 0.7;
   double NeckRatioOfSlender = 0.5;
   double SlenderRadius = 12;
-  double LeastPeak = 3;   ///< mm; the depth of parts that are no more than flat
   double CoreDepth = 0.6; ///< of a part's depth; what is deeper is its core
 
   /// What a cut costs per mm2 and millimeter of the organ's depth, of which 5 to 40 count. The
   /// smoothness wanted grows with the organ, else small organs collapse.
   double Smoothness = 0.2;
-
-  NeighborSettings Neighbor;
-
-  /// The least evidence in MR, where the coil's field hides the difference between a part and a
-  /// neighbor; for parts of less than LeastOwnPart or more than GreatestOwnPart of what the cut
-  /// keeps without them, most of which are neighbors whatever their gray values; and where gray
-  /// values cannot be compared.
-  double LeastEvidence = 2.25;
-  double LeastOwnPart = 0.065;
-  double GreatestOwnPart = 2;
-  double LeastPart = 1; ///< ml; of smaller ones, all that lies behind a neck is cut off
 
   /// What a block that nothing supports (OrganCutState) loses of its worth, per mm3.
   double UnsupportedLoss = 0.5;
@@ -59,7 +46,6 @@ struct OrganCutState
 {
   BitMask Supported; ///< what of the mask there is more evidence for; without a grid, all
   BitMask Own;       ///< parts that were found to be the organ's own, and stay so; may have no grid
-  bool HasParts = false;            ///< whether there was a part to decide about
   std::vector<DoubtfulPart> Doubts; ///< what might have been decided otherwise
 };
 

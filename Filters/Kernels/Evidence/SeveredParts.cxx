@@ -20,6 +20,10 @@ constexpr double NearestSample = 2;
 constexpr double FarthestSample = 8;
 constexpr double LeastDepth = 3.5;
 
+// Of a neighbor: SeveredPart::Step in Hounsfield units, of which vessels make fewer, and Edge.
+constexpr double NeighborStep = 3.5;
+constexpr double NeighborEdge = 0.1;
+
 class SeveredSearch
 {
 public:
@@ -46,7 +50,7 @@ public:
     }
   }
 
-  std::vector<SeveredPart> Execute(double leastVolume)
+  std::vector<SeveredPart> Execute()
   {
     std::vector<SeveredPart> parts;
     std::vector<bool> isFound(this->Sides.size(), false);
@@ -54,12 +58,8 @@ public:
     {
       if (!isFound[block] && this->Sides[block] == Side::Severed)
       {
-        SeveredPart part = this->PartOf(block, isFound);
-        if (part.Volume >= leastVolume)
-        {
-          this->MeasureCut(part);
-          parts.push_back(std::move(part));
-        }
+        parts.push_back(this->PartOf(block, isFound));
+        this->MeasureCut(parts.back());
       }
     }
     return parts;
@@ -209,25 +209,22 @@ private:
 
 } // namespace
 
-std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
-  double spread, Modality modality)
+std::optional<double> EvidenceOfNeighbor(const SeveredPart& part)
 {
-  if (part.Area == 0 || part.Samples < settings.LeastSamples)
+  if (part.Area == 0 || part.Samples == 0)
   {
     return std::nullopt;
   }
-  const double least = modality == Modality::MR ? 0 : settings.LeastStepInCT;
-  const double step = part.Step / std::max(settings.Step * spread, least);
-  const double edge = part.Edge / settings.Edge;
+  const double step = part.Step / NeighborStep;
+  const double edge = part.Edge / NeighborEdge;
   return std::max(step * step, edge * edge);
 }
 
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
-  const std::function<bool(std::size_t block)>& isKept, double leastVolume)
+  const std::function<bool(std::size_t block)>& isKept)
 {
-  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept)
-    .Execute(leastVolume);
+  return SeveredSearch(blocks, nodes, smooth, edgeContrast, squaredDepth, isKept).Execute();
 }
 
 } // namespace FlipFree

@@ -9,7 +9,6 @@
 #define FlipFreeSeveredParts_h
 
 #include "Image/BlockNetwork.h"
-#include "Intensity/Modality.h"
 
 #include <functional>
 #include <optional>
@@ -30,27 +29,15 @@ struct SeveredPart
   int Samples = 0; ///< blocks on the side that has fewer of them
 };
 
-/// What makes a severed part a neighbor of the organ: evidence of 1.
-struct NeighborSettings
-{
-  double Step = 0.15; ///< SeveredPart::Step, in standard deviations of the organ's gray values
-  /// In CT, at least so many Hounsfield units: vessels make a smaller step.
-  double LeastStepInCT = 2.5;
-  double Edge = 0.1; ///< SeveredPart::Edge
-  /// With fewer, or without a cut outside the rim, there is no evidence.
-  int LeastSamples = 20;
-};
+/// That a severed part is a neighbor of the organ, in CT: above 1. It grows with the squares of
+/// step and edge. There is none of a part without samples, or without a cut outside the rim.
+std::optional<double> EvidenceOfNeighbor(const SeveredPart& part);
 
-/// It grows with the squares of step and edge. `spread` is the standard deviation of the organ's
-/// gray values.
-std::optional<double> EvidenceOfNeighbor(const SeveredPart& part, const NeighborSettings& settings,
-  double spread, Modality modality);
-
-/// The connected parts of the nodes that are not kept, but for those of less than the least volume
-/// (mm3). `smooth` are the blocks' gray values (SmoothBlockMeans()).
+/// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
+/// (SmoothBlockMeans()).
 std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
-  const std::function<bool(std::size_t block)>& isKept, double leastVolume = 0);
+  const std::function<bool(std::size_t block)>& isKept);
 
 } // namespace FlipFree
 

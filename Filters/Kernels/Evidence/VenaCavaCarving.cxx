@@ -17,8 +17,6 @@ namespace
 {
 
 constexpr double SmallestLiver = 700; // ml
-constexpr double LargestLiver = 4000;
-constexpr double ThickestSlices = 10; // mm; a vein cannot be followed through thicker ones
 
 // Where the vein's center may be, to the left, posterior and above, in radii of a ball of the
 // organ's volume from its center.
@@ -36,21 +34,18 @@ constexpr double RimEnd = 15;
 constexpr int Margin = static_cast<int>(RimEnd / GridStep); // of the grid, for the rim; steps
 static_assert(Reach <= Margin);
 
-// HU. Darker and brighter gray values say no more; a difference says nothing, or all.
-constexpr float Darkest = -100;
-constexpr float Brightest = 300;
+// HU. Nothing is darker than fat, nor is there anything else outside the image; a difference says
+// nothing, or all.
+constexpr float Fat = -100;
 constexpr float NoEdge = 20;
 constexpr float ClearEdge = 60;
 
-// How much of the rim must be clear for a disk to speak for the vein; in the organ, a part is
-// hidden.
-constexpr float LeastRimOutside = 0.45F;
-constexpr float LeastRimInOrgan = 0.25F;
+// How much of the rim must be clear for a disk to speak for the vein.
+constexpr float LeastRim = 0.25F;
 // In clear disks: so many make a vein of a tube that stands alone below or above the organ; further
 // ones do not count, so that no other vessel wins by its length.
 constexpr float LeastAlone = 1;
 constexpr float MostAlone = 3.2F;
-constexpr double ShortestVein = 40; // mm, in the organ
 // In volumes of the vein: what else hangs on to the organ only by it is kept with it.
 constexpr double MostLost = 1.5;
 
@@ -94,7 +89,7 @@ struct GridVoxels
   std::vector<unsigned char> IsInOrgan;
 
   GridVoxels(const ImageView<float>& image, const BitMask& organ, const ImageGeometry& grid)
-    : Gray(grid.NumberOfVoxels(), Darkest)
+    : Gray(grid.NumberOfVoxels(), Fat)
     , IsInOrgan(Gray.size(), 0)
   {
     for (std::size_t place = 0; place < this->Gray.size(); ++place)
@@ -104,7 +99,7 @@ struct GridVoxels
       if (image.Geometry.Contains(voxel[0], voxel[1], voxel[2]))
       {
         const float value = image(voxel[0], voxel[1], voxel[2]);
-        this->Gray[place] = HasData(value) ? std::clamp(value, Darkest, Brightest) : Darkest;
+        this->Gray[place] = HasData(value) ? std::max(value, Fat) : Fat;
         this->IsInOrgan[place] = organ(voxel[0], voxel[1], voxel[2]) ? 1 : 0;
       }
     }
@@ -163,10 +158,8 @@ Disks FindDisks(const GridVoxels& voxels, const ImageGeometry& grid, const Paral
       }
       return sum / static_cast<float>(steps.size());
     };
-    const bool isInOrgan = 2 * inOrgan >= inside.size();
-    disks.IsInOrgan[place] = isInOrgan ? 1 : 0;
-    disks.Evidence[place] =
-      darker(rim) - darker(inside) - (isInOrgan ? LeastRimInOrgan : LeastRimOutside);
+    disks.IsInOrgan[place] = 2 * inOrgan >= inside.size() ? 1 : 0;
+    disks.Evidence[place] = darker(rim) - darker(inside) - LeastRim;
   };
   parallelFor(0, grid.Dimensions[2],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
@@ -298,12 +291,9 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const
   Modality modality, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
   const ImageGeometry& geometry = smooth.Geometry;
-  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > ThickestSlices)
-  {
-    return true;
-  }
-  const double volume = geometry.Milliliters(mask.Count());
-  if (volume < SmallestLiver || volume > LargestLiver)
+  // Through slices thicker than half the vein, it cannot be followed.
+  if (modality != Modality::CT || geometry.Spacing.maxCoeff() > VeinRadius ||
+    geometry.Milliliters(mask.Count()) < SmallestLiver)
   {
     return true;
   }
@@ -314,7 +304,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const
   }
   const std::vector<Eigen::Vector3d> centers =
     FindVein(FindDisks({ smooth, mask, grid }, grid, parallelFor), grid);
-  if (centers.empty() || centers.front().z() - centers.back().z() < ShortestVein)
+  if (centers.empty())
   {
     return true;
   }

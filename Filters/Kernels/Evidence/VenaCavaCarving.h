@@ -15,10 +15,10 @@ namespace FlipFree
 {
 
 /// Removes the vein from the mask, which is on the grid of the image, if there is one. It is sought
-/// in CT with slices of at most 10 mm, for any organ of 0.7 to 4 l, along the body's axis, left of
-/// the organ's center, in what the mask holds, by the best chain of disks, one for each slice, that
-/// are brighter than what is around them. It is taken for the vein where it is at least 40 mm long,
-/// stands alone below or above the organ, and holds no voxel of the seed sphere; and it stays where
+/// in CT with slices of at most 12 mm, for any organ of 0.7 l or more, along the body's axis, left
+/// of the organ's center, in what the mask holds, by the best chain of disks, one for each slice,
+/// that are brighter than what is around them. It is taken for the vein where it stands alone below
+/// or above the organ and holds no voxel of the seed sphere; and it stays where
 /// more than half its volume would be lost with it. `make` is called before voxels of the image are
 /// read. Returns false if it or the monitor stopped the work; the mask is then useless.
 bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const SeedSphere& seed,
