@@ -287,13 +287,13 @@ test("a question on the slices and in the list, answered by mouse and keys, and 
   await openNoisyLiver();
   const before = await volume();
   assert.match(await page.textContent("#asking-title"), /^Is this part liver\?/);
-  assert.match(await page.textContent("#questions"), /^\d\d ml left out, L 227 P 90 S 183YesNo$/);
+  assert.match(await page.textContent("#questions"), /^(3[5-9]|4[0-3]) ml left out, L 227 P 90 S 183YesNo$/);
   assert.deepEqual(await coloredPixels(magenta), [0, 0, 0, 0]); // the slices are those of the seed
   assert.ok(await questionFits());
 
   // The list shows the place; the part is filled on the slices, and no other place is.
   await page.click("#questions button >> nth=0");
-  assert.match(await page.textContent("#status"), /^Question 1 of 1: Is this part of \d\d ml liver\? It is left out\. Y or N answers\.$/);
+  assert.match(await page.textContent("#status"), /^Question 1 of 1: Is this part of (?:3[5-9]|4[0-3]) ml liver\? It is left out\. Y or N answers\.$/);
   const marked = await coloredPixels(magenta);
   assert.ok(marked.slice(0, 3).every((pixels) => pixels > 100 && pixels < 400), `${marked}`);
   assert.equal(marked[3], 0);
@@ -339,7 +339,7 @@ test("a question on the slices and in the list, answered by mouse and keys, and 
   await page.keyboard.press("Enter");
   await status("Question 1 of 1");
   await page.keyboard.press("Tab");
-  assert.match(await page.evaluate(() => document.activeElement.ariaLabel), /^Yes, \d\d ml left out, L 227 P 90 S 183$/);
+  assert.match(await page.evaluate(() => document.activeElement.ariaLabel), /^Yes, (3[5-9]|4[0-3]) ml left out, L 227 P 90 S 183$/);
   await page.keyboard.press("Enter");
   await corrected();
   assert.equal(await volume(), larger);

@@ -22,8 +22,6 @@ function (flipfree_add_unit_tests name)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -Wno-subobject-linkage) # fixtures in anonymous namespaces
   endif ()
-  # Of what they test, headers alone are compiled here, and the tests are most of what a build compiles.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
   set(_test_environment "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
   if (NOT FLIPFREE_SANITIZERS)
     gtest_discover_tests(${name}

@@ -129,7 +129,9 @@ class TestQuestions(command.CommandTest):
 
     def test_nothing_to_ask(self):
         labels = self.result("labels.nii.gz")
-        self.assertEqual(command.run(*self.arguments(self.cut, "--labels", labels)).returncode, 0)
+        process = command.run(*self.arguments(self.cut, "--labels", labels))
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertRegex(process.stderr, rf"\A{LEFT_OUT}\Z")
         for arguments, why in (((*self.arguments(self.cut), "--no-carving"), "questions come with --carving"),
                                (("segment", self.cut, "--start-labels", labels, "--resolution", 8),
                                 "a start from labels has no questions"),

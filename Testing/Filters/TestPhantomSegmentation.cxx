@@ -155,7 +155,7 @@ TEST_F(PhantomSegmentation, LiverFromASeedOfHalfItsRadius)
   this->Phantom->SetShapeToAbdomen();
   FlipFree::StartInside(this->Filter, this->Phantom, vtkPhantomSource::LIVER);
   this->Filter->SetSeedRadius(this->Filter->GetSeedRadius() / 2);
-  EXPECT_GE(this->Measure(this->Metrics, vtkPhantomSource::LIVER), 0.92); // measured 0.933
+  EXPECT_GE(this->Measure(this->Metrics, vtkPhantomSource::LIVER), 0.935); // measured 0.942
   this->ExpectConverged();
   this->ExpectValid(6144);
 }
@@ -171,7 +171,7 @@ TEST_P(AbdomenSegmentation, OrganFromItsSeedWithDefaults)
 }
 
 INSTANTIATE_TEST_SUITE_P(PhantomSegmentation, AbdomenSegmentation,
-  testing::Values(Organ{ "Liver", vtkPhantomSource::LIVER, 0.92, 3.5 },
+  testing::Values(Organ{ "Liver", vtkPhantomSource::LIVER, 0.94, 2.3 },
     Organ{ "Spleen", vtkPhantomSource::SPLEEN, 0.92, 1.5 },
     Organ{ "LeftKidney", vtkPhantomSource::LEFT_KIDNEY, 0.94, 0.9 }),
   [](const testing::TestParamInfo<Organ>& organ) { return organ.param.Name; });

@@ -104,26 +104,6 @@ TEST(ConstraintEnforcer, PullsTheSurfaceBackFromOutsidePoints)
   EXPECT_EQ(CountSelfIntersections(points, sphere.Faces()), 0);
 }
 
-// As a refinement may do.
-TEST(ConstraintEnforcer, ForgetsObstaclesThatTheSurfaceHasPassed)
-{
-  const ConstraintList constraints{ At(ConstraintKind::Outside, 18, 0, 0),
-    At(ConstraintKind::Outside, 0, 0, -28) };
-  const TestSphere sphere(12); // radius 25
-  PointList points = sphere.Points();
-  const PointList start =
-    ((0.4 * (points.rowwise() - Center.transpose())).rowwise() + Center.transpose());
-  EmbeddingGuard guard(sphere.Mesh);
-  ConstraintEnforcer enforcer(constraints, 1);
-  enforcer.Begin(sphere.Mesh, guard.Hulls(), start);
-  EXPECT_EQ(enforcer.GetObstacles().rows(), 2);
-  enforcer.ForgetObstacles();
-  enforcer.Update(sphere.Mesh, guard.Hulls(), points);
-  EXPECT_EQ(enforcer.GetObstacles().rows(), 1);
-  EXPECT_TRUE(enforcer.Finish(sphere.Mesh, guard.Hulls(), StepBy(guard), NeverStop, points));
-  EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 0);
-}
-
 TEST(ConstraintEnforcer, LeavesAnObedientSurfaceAlone)
 {
   const TestSphere sphere(6);

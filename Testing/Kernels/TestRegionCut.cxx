@@ -252,6 +252,7 @@ TEST(SeveredParts, WhatDiffersFromTheOrganIsANeighbor)
   };
   EXPECT_LT(*evidenceOf(0, 0), 1);
   EXPECT_LT(*evidenceOf(1.5F, 0), 1); // HU: vessels make as much
+  EXPECT_LT(*evidenceOf(-3, 0), 1);
   EXPECT_GT(*evidenceOf(-4, 0), 1);
   EXPECT_GT(*evidenceOf(0, -60), 1);
   SeveredPart unseen;

@@ -105,6 +105,8 @@ def scheduler():
         # The scheduler creates its file first, and fills it later.
         with contextlib.suppress(FileNotFoundError, json.JSONDecodeError):
             found = json.loads(address.read_text())["address"]
+    if not found:
+        raise TimeoutError("the scheduler has written no address")
     with distributed.Client(found, set_as_default=False) as client:
         client.wait_for_workers(WORKERS, timeout=120)
     return found

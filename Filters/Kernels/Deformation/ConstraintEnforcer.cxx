@@ -136,7 +136,8 @@ ConstraintEnforcer::ConstraintEnforcer(const ConstraintList& constraints, double
 void ConstraintEnforcer::Begin(const ContourMesh& mesh, const FaceHulls& hulls,
   const PointList& points)
 {
-  this->ForgetObstacles();
+  std::fill(this->IsObstacle.begin(), this->IsObstacle.end(), false);
+  this->Obstacles.resize(0, 3);
   this->Update(mesh, hulls, points);
   for (std::size_t index = 0; index < this->Constraints.size(); ++index)
   {
@@ -149,12 +150,6 @@ void ConstraintEnforcer::Begin(const ContourMesh& mesh, const FaceHulls& hulls,
           " lies in the start surface or on it; start from a smaller surface, or move the point");
     }
   }
-}
-
-void ConstraintEnforcer::ForgetObstacles()
-{
-  std::fill(this->IsObstacle.begin(), this->IsObstacle.end(), false);
-  this->Obstacles.resize(0, 3);
 }
 
 bool ConstraintEnforcer::IsOpen(const PointConstraint& constraint, const ContourMesh& mesh,

@@ -39,9 +39,6 @@ public:
   /// Looks which inside points the surface encloses by now, and makes obstacles of them.
   void Update(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points);
 
-  /// Has no obstacles until the next call of another method.
-  void ForgetObstacles();
-
   /// What the surface must not pass from now on, one row each.
   const PointList& GetObstacles() const { return this->Obstacles; }
 

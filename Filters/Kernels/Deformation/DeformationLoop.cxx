@@ -149,20 +149,8 @@ bool DeformationLoop::Refine(const Monitor& proceed)
   surroundings.Obstacles = this->UniteObstacles(surroundings.Ranges);
   surroundings.FixedMesh = this->Fixed.Mesh;
   surroundings.FixedPoints = this->Fixed.Points;
-  const auto refine = [&]
-  {
-    return RefineSurface(this->Mesh, points, surroundings, this->HasGuard(), this->Parallel,
-      proceed);
-  };
-  RefinedSurface refined = refine();
-  // An obstacle in the tip of a narrow dent is passed in any case. It is obeyed again at the end.
-  const bool passesObstacles = !refined.Embedded && surroundings.Obstacles.rows() > 0;
-  if (passesObstacles)
-  {
-    surroundings.Obstacles.resize(0, 3);
-    surroundings.Ranges.clear();
-    refined = refine();
-  }
+  RefinedSurface refined =
+    RefineSurface(this->Mesh, points, surroundings, this->HasGuard(), this->Parallel, proceed);
   if (!refined.Embedded)
   {
     return false;
@@ -201,7 +189,7 @@ bool DeformationLoop::Refine(const Monitor& proceed)
   for (std::size_t surface = 0; surface < parts.size(); ++surface)
   {
     this->Surfaces[surface]->Replace(std::move(parts[surface].Mesh),
-      std::move(parts[surface].Points), passesObstacles);
+      std::move(parts[surface].Points));
   }
   this->Guard = std::move(refined.Guard);
   return true;

@@ -154,12 +154,8 @@ StopReason DeformingSurface::ReasonToEndLevel() const
   return reason == StopReason::Converged && this->IsGrowing() ? StopReason::NotRun : reason;
 }
 
-void DeformingSurface::Replace(ContourMesh mesh, PointList points, bool mayHavePassed)
+void DeformingSurface::Replace(ContourMesh mesh, PointList points)
 {
-  if (mayHavePassed && this->Enforcer)
-  {
-    this->Enforcer->ForgetObstacles();
-  }
   this->Solver.reset();
   this->Surface.Mesh = std::move(mesh);
   this->Surface.Points = std::move(points);

@@ -55,8 +55,7 @@ public:
   /// Whether the level has ended for this surface, after the latest iteration; see the reason.
   bool HasLevelEnded() const { return this->Surface.Reason != StopReason::NotRun; }
   void SetReason(StopReason reason) { this->Surface.Reason = reason; }
-  /// By its refinement, which may have passed obstacles.
-  void Replace(ContourMesh mesh, PointList points, bool mayHavePassed);
+  void Replace(ContourMesh mesh, PointList points);
 
   /// What the surface must not pass from now on, one row each.
   PointList GetObstacles() const;

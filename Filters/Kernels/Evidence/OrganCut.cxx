@@ -20,7 +20,7 @@ namespace
 {
 
 // What an entire part is worth to the cut where its gray values are the organ's, per mm3; what a
-// proposal weighs of which the image is sure.
+// proposal weighs per mm3 and unit of evidence.
 constexpr double WorthOfOrgan = 0.7;
 // Of what the first cut keeps: parts that are smaller are not worth a doubt.
 constexpr double LeastDoubt = 0.06;
@@ -219,9 +219,7 @@ private:
     {
       return 0;
     }
-    return this->Kind == Modality::MR
-      ? 1
-      : EvidenceOfNeighbor(part).value_or(1);
+    return this->Kind == Modality::MR ? 1 : EvidenceOfNeighbor(part).value_or(1);
   }
 
   // Most of its blocks, by their first voxels.

@@ -20,7 +20,7 @@ constexpr double NearestSample = 2;
 constexpr double FarthestSample = 8;
 constexpr double LeastDepth = 3.5;
 
-// Of a neighbor: SeveredPart::Step in Hounsfield units, of which vessels make fewer, and Edge.
+// Of a neighbor: SeveredPart::Step in Hounsfield units, more than vessels cause, and Edge.
 constexpr double NeighborStep = 3.5;
 constexpr double NeighborEdge = 0.1;
 

@@ -2,8 +2,7 @@
  * The parts that a cut severs from an organ, and what the image shows along the cut: whether it
  * follows an edge, and whether the gray values on its two sides differ. A part whose gray values go
  * on unchanged across a cut without an edge is the organ's own (its left lobe, behind a neck); a
- * neighbor differs, by a few Hounsfield units at least, which hundreds of voxels show in spite of
- * the noise.
+ * neighbor differs, by a few Hounsfield units at least.
  */
 #ifndef FlipFreeSeveredParts_h
 #define FlipFreeSeveredParts_h
@@ -29,8 +28,9 @@ struct SeveredPart
   int Samples = 0; ///< blocks on the side that has fewer of them
 };
 
-/// That a severed part is a neighbor of the organ, in CT: above 1. It grows with the squares of
-/// step and edge. There is none of a part without samples, or without a cut outside the rim.
+/// Evidence, in CT, that a severed part is a neighbor of the organ: it is one from 1 on. It grows
+/// with the squares of step and edge. There is none of a part without samples, or without a cut
+/// outside the rim.
 std::optional<double> EvidenceOfNeighbor(const SeveredPart& part);
 
 /// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values

@@ -34,7 +34,7 @@ constexpr double RimEnd = 15;
 constexpr int Margin = static_cast<int>(RimEnd / GridStep); // of the grid, for the rim; steps
 static_assert(Reach <= Margin);
 
-// HU. Nothing is darker than fat, nor is there anything else outside the image; a difference says
+// HU. What is darker counts as fat, and so does what lies outside the image; a difference says
 // nothing, or all.
 constexpr float Fat = -100;
 constexpr float NoEdge = 20;
@@ -291,7 +291,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const
   Modality modality, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
   const ImageGeometry& geometry = smooth.Geometry;
-  // Through slices thicker than half the vein, it cannot be followed.
+  // Through voxels longer than half the vein is wide, it cannot be followed.
   if (modality != Modality::CT || geometry.Spacing.maxCoeff() > VeinRadius ||
     geometry.Milliliters(mask.Count()) < SmallestLiver)
   {
@@ -304,7 +304,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make, const
   }
   const std::vector<Eigen::Vector3d> centers =
     FindVein(FindDisks({ smooth, mask, grid }, grid, parallelFor), grid);
-  if (centers.empty())
+  if (centers.size() < 2)
   {
     return true;
   }
