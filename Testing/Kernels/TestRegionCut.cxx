@@ -252,12 +252,19 @@ TEST(SeveredParts, WhatDiffersFromTheOrganIsANeighbor)
   };
   EXPECT_LT(*evidenceOf(0, 0), 1);
   EXPECT_LT(*evidenceOf(1.5F, 0), 1); // HU: vessels make as much
-  EXPECT_LT(*evidenceOf(-3, 0), 1);
   EXPECT_GT(*evidenceOf(-4, 0), 1);
   EXPECT_GT(*evidenceOf(0, -60), 1);
-  SeveredPart unseen;
-  unseen.Area = 100;
-  EXPECT_FALSE(EvidenceOfNeighbor(unseen)); // no samples
+  SeveredPart part;
+  part.Area = 100;
+  EXPECT_FALSE(EvidenceOfNeighbor(part)); // no samples
+  part.Samples = 1;
+  part.Step = -3;
+  EXPECT_LT(*EvidenceOfNeighbor(part), 1);
+  part.Step = -4;
+  EXPECT_GT(*EvidenceOfNeighbor(part), 1);
+  part.Step = 0;
+  part.Edge = 0.11;
+  EXPECT_GT(*EvidenceOfNeighbor(part), 1);
 }
 
 TEST(SeveredParts, PartsAreThoseThatAreConnected)

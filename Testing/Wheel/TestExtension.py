@@ -179,7 +179,7 @@ class Guide(unittest.TestCase):
         section = page.partition("\n## Without VTK\n")[2].partition("\n## ")[0]
         [program] = re.findall("```python\n(.*?)```", section, re.DOTALL)
         output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
-        self.assertRegex(output, r"\Aconverged \(6144, 3\) \d+ voxels\n0\.93\d+\n\Z")
+        self.assertRegex(output, r"\Aconverged \(6144, 3\) \d+ voxels\n0\.94\d+\n\Z")
 
 
 class Surface(unittest.TestCase):
