@@ -110,7 +110,7 @@ def draw_surfaces(path, label, views):
 
 def draw_question(path):
     """A liver in more noise, what its first question asks about, and the liver by the answer."""
-    phantom, truth = inputs.phantom(noise=20, random_seed=2), truth_of(LIVER)
+    phantom, truth = inputs.phantom(noisy=True), truth_of(LIVER)
     image = phantom.GetOutput()
     asked = Corrections(image, *inputs.seed_in(phantom, LIVER))
     question = asked.questions()[0]

@@ -6,12 +6,16 @@ import flipfree
 import scene
 
 
-def phantom(noise=12, random_seed=1):
-    """A schematic CT of the upper abdomen; its second output is the truth, organ by organ."""
+def phantom(noisy=False):
+    """A schematic CT of the upper abdomen; its second output is the truth, organ by organ.
+
+    If it is noisy, there is a question about its liver.
+    """
     source = flipfree.vtkPhantomSource()
     source.SetShapeToAbdomen()
-    source.SetNoiseStandardDeviation(noise)
-    source.SetRandomSeed(random_seed)
+    if noisy:
+        source.SetNoiseStandardDeviation(20)
+        source.SetRandomSeed(2)
     source.Update()
     return source
 

@@ -85,7 +85,7 @@ def volume_of(window):
 
 
 def main():
-    source = inputs.phantom(noise=20, random_seed=2)  # so that there is a question
+    source = inputs.phantom(noisy=True)
     liver, radius = inputs.seed_in(source, source.LIVER)
     window = correct_by_clicking.CorrectionWindow(source.GetOutput(), liver, radius)
     axial, coronal = window.views.planes[scene.AXIAL], window.views.planes[scene.CORONAL]
