@@ -1,13 +1,13 @@
-// Runs the segmentation of vessels over every row of DIR/tubes.csv, one setting for all, and prints
-// a table: overlap with the reference label between the planes across the path at its ends (with
-// those parts of the label alone that hold a point, by faces), confidence, volume, how much of the
-// centerline lies within the reference, mean radius, vertices, seconds, self-intersections; and a
-// line per kind of vessel and half of the volumes (halves.csv), with how well the confidence tells
-// poor results.
+// Runs the segmentation of vessels over every row of DIR/tubes.csv, or of another such table, one
+// setting for all, and prints a table: overlap with the reference label between the planes across
+// the path at its ends (with those parts of the label alone that hold a point, by faces),
+// confidence, volume, how much of the centerline lies within the reference, mean radius, vertices,
+// seconds, self-intersections; and a line per kind of vessel and half of the volumes (halves.csv),
+// with how well the confidence tells poor results.
 //
-//   MeasureVessels [--data DIR] [--only TEXT] [--radius R] [--wall-thickness T] [--jitter MM]
-//                  [--repeats N] [--halves FILE] [--surfaces DIR] [--methods NAME ...]
-//                  [--set NAME=VALUE ...]
+//   MeasureVessels [--data DIR] [--cases FILE] [--only TEXT] [--radius R] [--wall-thickness T]
+//                  [--jitter MM] [--repeats N] [--halves FILE] [--surfaces DIR]
+//                  [--methods NAME ...] [--set NAME=VALUE ...]
 //
 // With --jitter, every point is moved by so much in a random direction, anew for each of the
 // repeats. With --methods, other methods follow on each row, from the same points and between
@@ -48,6 +48,7 @@ using Filter = vtkFlipFreeVesselSegmentation;
 struct Options
 {
   std::string Data = DefaultDataFolder();
+  std::string Cases = "tubes.csv";
   std::string Only;
   std::string Surfaces;
   std::string Halves = "Testing/Benchmarks/halves.csv";
@@ -445,7 +446,7 @@ void Measure(const Options& options)
   std::string read; // the volume at hand
   vtkSmartPointer<vtkImageData> image;
   vtkSmartPointer<vtkImageData> labels;
-  for (const Tube& tube : ReadTubes(options.Data + "/tubes.csv"))
+  for (const Tube& tube : ReadTubes(options.Data + "/" + options.Cases))
   {
     if (tube.Name.find(options.Only) == std::string::npos)
     {
@@ -513,7 +514,9 @@ int main(int argc, char* argv[])
   Options options;
   options.WallThickness = vtkNew<Filter>()->GetWallThickness();
   CLI::App program("Measures the segmentation of vessels.");
-  program.add_option("--data", options.Data, "folder with tubes.csv and its volumes")
+  program.add_option("--data", options.Data, "folder with the vessels' table and volumes")
+    ->capture_default_str();
+  program.add_option("--cases", options.Cases, "table of the vessels, in the folder")
     ->capture_default_str();
   program.add_option("--only", options.Only, "rows whose name contains this");
   program.add_option("--radius", options.Radius, "of all vessels, mm");

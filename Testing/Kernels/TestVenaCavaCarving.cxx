@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 using namespace FlipFree;
 
@@ -168,6 +169,19 @@ TEST(VenaCavaCarving, LeavesATubeThatEndsWithTheLiver)
   expect(55, 200, true);
 }
 
+// As bright as the vein and as wide, but no longer than a slice or two.
+TEST(VenaCavaCarving, LeavesALoneDiskBesideTheLiver)
+{
+  for (const auto& [bottom, top] : { std::pair(40.0, 50.0), std::pair(147.0, 152.0) })
+  {
+    SCOPED_TRACE(bottom);
+    Abdomen abdomen;
+    abdomen.Bottom = bottom;
+    abdomen.Top = top;
+    ExpectUntouched(abdomen);
+  }
+}
+
 TEST(VenaCavaCarving, LeavesAVeinThatHoldsTheSeed)
 {
   Abdomen abdomen;
@@ -220,6 +234,18 @@ TEST(VenaCavaCarving, IsDoneInLargeOrgans)
     };
     abdomen.Found = abdomen.Liver;
     height == 22 ? ExpectUntouched(abdomen) : ExpectCarved(abdomen);
+  }
+}
+
+TEST(VenaCavaCarving, FollowsTheVeinThroughThickSlices)
+{
+  for (const double slice : { 8.0, 10.0, 12.0 })
+  {
+    SCOPED_TRACE(slice);
+    Abdomen thick;
+    thick.Geometry.Dimensions[2] = static_cast<int>(200 / slice);
+    thick.Geometry.Spacing[2] = slice;
+    ExpectCarved(thick);
   }
 }
 

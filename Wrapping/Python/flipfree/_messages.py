@@ -56,6 +56,15 @@ def escaped(text: str) -> str:
     return text.replace("{", "{{").replace("}", "}}")
 
 
+def counted(count: int, noun: str) -> str:
+    """A number and what it counts.
+
+    >>> counted(1, "iteration"), counted(0, "iteration")
+    ('1 iteration', '0 iterations')
+    """
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
 def confidence_text(confidence: float) -> str:
     """With two digits, rounded down as in the warning of a low confidence.
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._corrections import Constraint, Correctable
 from ._faces import Faces
-from ._messages import confidence_text
+from ._messages import confidence_text, counted
 from ._questions import Question
 
 if TYPE_CHECKING:
@@ -68,8 +68,8 @@ class Result(Faces, Correctable):
         known = "" if math.isnan(self.confidence) else f"confidence {confidence_text(self.confidence)}, "
         return (
             f"<{type(self).__name__}: {self.volume:.1f} ml, {known}{len(self.points)} vertices, "
-            f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
-            f"{len(self.iterations['Iteration'])} iterations>"
+            f"{counted(self.self_intersections, 'self-intersection')}, '{self.stop_reason}' after "
+            f"{counted(len(self.iterations['Iteration']), 'iteration')}>"
         )
 
 

@@ -7,7 +7,7 @@ import os
 from html import escape
 from typing import Any
 
-from ._messages import confidence_text
+from ._messages import confidence_text, counted
 
 # Rows whose picture is in the file; those behind them, of the highest confidence, refer to theirs.
 PICTURES = 1000
@@ -84,7 +84,7 @@ def _facts(row: dict[str, Any]) -> dict[str, str]:
     return {
         **facts,
         "volume": f"{row['segmented_ml']:.1f} ml",
-        "stopped": f"{row['stop_reason']}, {row['iterations']} iterations",
+        "stopped": f"{row['stop_reason']}, {counted(row['iterations'], 'iteration')}",
         "seconds": f"{row['seconds']:.1f}",
     }
 
