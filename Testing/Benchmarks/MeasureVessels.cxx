@@ -446,7 +446,12 @@ void Measure(const Options& options)
   std::string read; // the volume at hand
   vtkSmartPointer<vtkImageData> image;
   vtkSmartPointer<vtkImageData> labels;
-  for (const Tube& tube : ReadTubes(options.Data + "/" + options.Cases))
+  const std::vector<Tube> tubes = ReadTubes(options.Data + "/" + options.Cases);
+  if (tubes.empty())
+  {
+    throw std::runtime_error("there is no vessel in '" + options.Data + "/" + options.Cases + "'");
+  }
+  for (const Tube& tube : tubes)
   {
     if (tube.Name.find(options.Only) == std::string::npos)
     {

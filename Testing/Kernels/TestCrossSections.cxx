@@ -100,7 +100,7 @@ TEST(CrossSections, OfHighContrastLieAtAThirdOfIt)
     line.row(place) << 25, 25, 15 + 1.5 * static_cast<double>(place);
   }
   const VesselSections sections = FitSections(image.View(), line,
-    Eigen::VectorXd::Constant(line.rows(), 9), WideVessel().Sections, SerialFor);
+    Eigen::VectorXd::Constant(line.rows(), 9), CrossSectionSettings(), SerialFor);
   // A third of the contrast is 0.86 mm within the blurred boundary, 60 gray values are 1.6 mm.
   EXPECT_NEAR(sections.MeanRadii().mean(), 9.1, 0.3);
 }

@@ -270,7 +270,8 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
 
   GaussianMixture best;
   double minimumCriterion = std::numeric_limits<double>::infinity();
-  for (int components = 1; components <= settings.MaximumComponents; ++components)
+  const int most = settings.MaximumComponents > 0 ? settings.MaximumComponents : UsualComponents;
+  for (int components = 1; components <= most; ++components)
   {
     std::vector<Gaussian> mixture = StartOf(histogram, components, minimumStandardDeviation);
     const double likelihood = Fit(histogram, minimumStandardDeviation, mixture);

@@ -18,16 +18,16 @@ struct CrossSectionSettings
   double RayStep = 0.5;
   double SectionStep = 1.5;
   int Rounds = 3;
-  double DarkLimit = 70;
-  double BrightLimit = 35;
+  double DarkLimit = 60;
+  double BrightLimit = 22;
   double MinimumDeviation = 8;
   double MaximumDeviation = 25;
   int IntensityWindow = 3; ///< sections to either side
-  double EdgeWeight = 8;
-  double PriorWeight = 0.02;
-  double PriorFollow = 0;
-  double AlongWeight = 0.15;
-  double AroundWeight = 0.3;
+  double EdgeWeight = 12;
+  double PriorWeight = 0.03;
+  double PriorFollow = 0.25;
+  double AlongWeight = 0.16;
+  double AroundWeight = 0.15;
   double LineDeviation = 2; ///< sections
   /// Of the vessel elsewhere, mm: what sections have for which no section nearby, that the image
   /// supports, has one. Zero: not known.

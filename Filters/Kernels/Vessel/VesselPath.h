@@ -44,7 +44,7 @@ struct VesselPathSettings
   FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
   VesselStyle Thin = ThinVessel();
-  VesselStyle Wide = WideVessel();
+  VesselStyle Wide;
   VesselStyle Far = FarVessel();
 };
 

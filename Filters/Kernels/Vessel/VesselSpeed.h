@@ -40,7 +40,7 @@ struct VesselSpeedSettings
 
   double MinimumCap = 3; ///< mm
   double MaximumCap = 7;
-  double BodyScale = 2.2; ///< of depth
+  double BodyScale = 1.5; ///< of depth
   double MinimumBody = 12;
 
   double TopHat = 0; ///< 0: none

@@ -10,7 +10,7 @@
 namespace FlipFree
 {
 
-/// What thin and wide vessels differ in.
+/// How a vessel is sought; the defaults are for wide ones.
 struct VesselStyle
 {
   /// The brightest voxel within this distance, in millimeters, takes the place of a clicked point.
@@ -24,7 +24,6 @@ struct VesselStyle
 };
 
 VesselStyle ThinVessel();
-VesselStyle WideVessel();
 VesselStyle FarVessel();
 
 } // namespace FlipFree

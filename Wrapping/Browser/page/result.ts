@@ -31,6 +31,10 @@ function wordsOf(warning: string): string {
   return warning.replace("where its confidence is low", "where it is blue").replace(/Is the part of [^?]*\?.*$/, "").trim();
 }
 
+function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
 function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
   const voxel = (app.opened?.image.spacing ?? [0, 0, 0]).reduce((a, b) => a * b, 1);
   let voxels = 0;
@@ -39,8 +43,8 @@ function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
   }
   const rows: [string, string][] = [
     ["Volume", `${((voxels * voxel) / 1000).toFixed(1)} ml`],
-    ["Surface", `closed, ${result.selfIntersections} self-intersections`],
-    ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
+    ["Surface", `closed, ${counted(result.selfIntersections, "self-intersection")}`],
+    ["Ended", `${result.stopReason}, ${counted(result.iterations.Iteration?.length ?? 0, "iteration")}`],
   ];
   if (isOrgan(result)) {
     rows.unshift(

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ._messages import counted
 from ._progress import progress_of
 from ._types import PathName, ProgressOption
 
@@ -37,7 +38,7 @@ class Cohort:
     def __str__(self) -> str:
         done = len(self.rows) - len(self.failed) - self.kept
         return (
-            f"{len(self.rows)} {'row' if len(self.rows) == 1 else 'rows'}: {done} segmented, "
+            f"{counted(len(self.rows), 'row')}: {done} segmented, "
             f"{self.kept} kept, {len(self.failed)} failed; "
             f"{self.seconds:.1f} s; see {self.report}"
         )

@@ -10,10 +10,7 @@ from typing import Any
 from ._command import say
 from ._command_outputs import wants_bar
 from ._errors import FlipFreeError
-
-
-def _rows(count: int) -> str:
-    return f"{count} {'row' if count == 1 else 'rows'}"
+from ._messages import counted
 
 
 def cohort(request: Any) -> None:
@@ -36,6 +33,6 @@ def cohort(request: Any) -> None:
             message = re.sub("^row [0-9]+(, |: )", "", " ".join(row["message"].split()))
             print(f"flipfree: error: row {number}: {message}", file=sys.stderr)
         raise FlipFreeError(
-            f"{len(failed)} of {_rows(len(result.rows))} failed. Their messages are in "
+            f"{len(failed)} of {counted(len(result.rows), 'row')} failed. Their messages are in "
             f"'{os.path.join(request.folder, 'cohort.csv')}' and in report.html beside it."
         )
