@@ -62,6 +62,8 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   inputs.Seed = seed;
   inputs.Noise = noise;
   inputs.Settings = settings;
+  inputs.Settings.Modality =
+    FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
   FlipFree::CarvedForeground carved;
   if (!FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, carved))
   {
@@ -209,30 +211,28 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
   {
     return;
   }
-  const FlipFree::OrganFeatureSettings settings = FlipFree::ForModality(*this->Settings,
-    FlipFree::ResolveModality(this->Settings->Modality, FlipFree::ReaderOf(smooth),
-      smooth.Geometry));
   const double noise =
     given.empty() ? FlipFree::NoiseStandardDeviation(smooth, seed) : given.front();
-  FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
+  FlipFree::IntensityModel model =
+    FlipFree::FitToSeed(smooth, seed, noise, this->Settings->Intensity);
   FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
-  if (whole(0.1) && surface && settings.ReestimateIntensities)
+  if (whole(0.1) && surface && this->Settings->ReestimateIntensities)
   {
-    refit =
-      RefitTo(surface, smooth, noise, settings.Intensity, FlipFree::PartOf(whole, 0.1, 0.4), model);
+    refit = RefitTo(surface, smooth, noise, this->Settings->Intensity,
+      FlipFree::PartOf(whole, 0.1, 0.4), model);
     if (refit == FlipFree::Refit::TooFewInside)
     {
       FlipFreeWarningMacro("The surface{ on port 1} has no more than " +
         std::to_string(FlipFree::MinimumRefitSample) + " voxels that are more than " +
-        FlipFree::TextOf(settings.Intensity.InnerMargin) +
+        FlipFree::TextOf(this->Settings->Intensity.InnerMargin) +
         " mm inside, too few to model the organ, so its intensities are those of the seed; "
         "enlarge the surface, or disconnect it.");
     }
   }
   FlipFree::BitMask foreground;
-  vtkPolyData* const toCarve = settings.Carving ? surface : nullptr;
-  if (!FindOrgan(toCarve, smooth, model, refit != FlipFree::Refit::Done, seed, noise, settings,
-        whole, foreground))
+  vtkPolyData* const toCarve = this->Settings->Carving ? surface : nullptr;
+  if (!FindOrgan(toCarve, smooth, model, refit != FlipFree::Refit::Done, seed, noise,
+        *this->Settings, whole, foreground))
   {
     return;
   }

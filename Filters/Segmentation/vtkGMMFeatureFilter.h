@@ -78,8 +78,7 @@ public:
 
   ///@{
   /**
-   * Maximum number of Gaussians of the mixture (Eq. 1), up to 8. Default 0: one with Carving in CT,
-   * where a gray value means the same everywhere, else three.
+   * Maximum number of Gaussians of the mixture (Eq. 1). Default 3; 1 to 8.
    */
   void SetMaximumComponents(int value);
   int GetMaximumComponents() const;
@@ -186,10 +185,10 @@ public:
 
   ///@{
   /**
-   * The scale of the gray values, from which Carving's tolerances are derived, and
-   * MaximumComponents where it is 0: AUTOMATIC (0), CT (1) or MR (2). Default AUTOMATIC: CT if a
-   * hundredth of the voxels are as negative as fat in Hounsfield units, and a hundredth as bright
-   * as tissue to bone, otherwise MR. For MR, the scale does not matter.
+   * The scale of the gray values, from which Carving's tolerances are derived: AUTOMATIC (0), CT
+   * (1) or MR (2). Default AUTOMATIC: CT if a hundredth of the voxels are as negative as fat in
+   * Hounsfield units, and a hundredth as bright as tissue to bone, otherwise MR. For MR, the scale
+   * does not matter.
    */
   void SetModality(int value);
   int GetModality() const;

@@ -84,17 +84,6 @@ TEST(GaussianMixture, CorrelatedVoxelsCountLess)
   EXPECT_EQ(FitGaussianMixture(values, settings).Components.size(), 1u);
 }
 
-TEST(GaussianMixture, HasThreeComponentsAtMostWhereNobodySaysOtherwise)
-{
-  const std::vector<float> values =
-    Sample({ { 0.25, 0, 5 }, { 0.25, 100, 5 }, { 0.25, 200, 5 }, { 0.25, 300, 5 } }, 5000);
-  MixtureSettings settings = Plain();
-  settings.MaximumComponents = 4;
-  EXPECT_EQ(FitGaussianMixture(values, settings).Components.size(), 4U);
-  settings.MaximumComponents = MixtureSettings().MaximumComponents;
-  EXPECT_EQ(FitGaussianMixture(values, settings).Components.size(), 3U);
-}
-
 TEST(GaussianMixture, DoesNotDependOnUnitOrOrigin)
 {
   for (const auto& example : Examples)

@@ -263,21 +263,3 @@ TEST_F(OrganFeatureStops, MedianIsThatOfTheSortedValues)
       values[values.size() / 2]);
   }
 }
-
-TEST(OrganFeature, IsOneGaussianWithCarvingInCT)
-{
-  const auto components = [](int given, bool carving, Modality modality)
-  {
-    OrganFeatureSettings settings;
-    settings.Intensity.Mixture.MaximumComponents = given;
-    settings.Carving = carving;
-    const OrganFeatureSettings known = ForModality(settings, modality);
-    EXPECT_EQ(known.Modality, modality);
-    return known.Intensity.Mixture.MaximumComponents;
-  };
-  constexpr int automatic = 0;
-  EXPECT_EQ(components(automatic, true, Modality::CT), 1);
-  EXPECT_EQ(components(automatic, true, Modality::MR), automatic);
-  EXPECT_EQ(components(automatic, false, Modality::CT), automatic);
-  EXPECT_EQ(components(3, true, Modality::CT), 3); // what a user sets is taken
-}

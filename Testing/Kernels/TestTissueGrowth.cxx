@@ -60,7 +60,7 @@ public:
   BitMask Corrected(bool grows, const Eigen::Vector3d& inside) const
   {
     SmoothRegion region = this->Region();
-    const OrganFeatureSettings settings = ForModality({}, Modality::CT);
+    const OrganFeatureSettings settings;
     TissueGrowth growth(region, 3, settings, Serial);
     const BitMask candidate = this->Mask(-48, -12);
     const std::vector<OtherPart> others;
@@ -109,7 +109,7 @@ TEST(TissueGrowth, KeepsWhatHasGrown)
 {
   const TwoTissues image(130);
   SmoothRegion region = image.Region();
-  const OrganFeatureSettings settings = ForModality({}, Modality::CT);
+  const OrganFeatureSettings settings;
   TissueGrowth growth(region, 3, settings, Serial);
   const auto tissue = growth.From({ 14, 2, 1 }, NeverStop);
   ASSERT_TRUE(tissue);
@@ -138,7 +138,7 @@ TEST(TissueGrowth, BeginsBetweenThickSlices)
   image.Geometry.Spacing[2] = 10;
   image.Geometry.Origin[2] = -200;
   SmoothRegion region = image.Region();
-  const OrganFeatureSettings settings = ForModality({}, Modality::CT);
+  const OrganFeatureSettings settings;
   TissueGrowth growth(region, 3, settings, Serial);
   EXPECT_GT(growth.From({ 14, 2, 5 }, NeverStop)->Voxels.Count(), 0U);
 }
@@ -150,7 +150,7 @@ TEST(TissueGrowth, IsNoneBesideNoData)
     .ForEach(
       [&](std::size_t voxel) { image.Voxels[voxel] = std::numeric_limits<float>::quiet_NaN(); });
   SmoothRegion region = image.Region();
-  const OrganFeatureSettings settings = ForModality({}, Modality::CT);
+  const OrganFeatureSettings settings;
   TissueGrowth growth(region, 3, settings, Serial);
   EXPECT_EQ(growth.From({ 14, 2, 1 }, NeverStop)->Voxels.Count(), 0U);
   EXPECT_GT(growth.From({ 5, 2, 1 }, NeverStop)->Voxels.Count(), 0U);

@@ -30,13 +30,6 @@ private:
   Stopwatch Watch;
 };
 
-OrganSegmentationSettings Resolved(OrganSegmentationSettings settings, const SmoothRegion& region)
-{
-  settings.Feature = FlipFree::ForModality(settings.Feature,
-    ResolveModality(settings.Feature.Modality, region.GetReader(), region.View().Geometry));
-  return settings;
-}
-
 } // namespace
 
 DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
@@ -46,7 +39,7 @@ DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSph
       parallelFor)
   , Noise(noise)
   , Seed(seed)
-  , Settings(Resolved(settings, region))
+  , Settings(settings)
   , Foreground(region, this->Seed, this->Settings.Feature,
       2 * EdgeWindowOf(settings.Targets, region.View().Geometry), parallelFor)
   , NewTissue(region, noise, this->Settings.Feature, parallelFor)
@@ -106,6 +99,7 @@ bool DeformingOrgan::CarveSurface(const Monitor& monitor)
   inputs.Seed = this->Seed;
   inputs.Noise = this->Noise;
   inputs.Settings = this->Settings.Feature;
+  inputs.Settings.Modality = this->Foreground.GetModality();
   CarvedForeground carved;
   if (!CarveForeground(inputs, this->Parallel, PartOf(monitor, 0, 0.8), carved) ||
     !this->FindOthers(inputs, carved, PartOf(monitor, 0.8, 0.95)))
@@ -144,7 +138,7 @@ ForegroundImage DeformingOrgan::CorrectedImage(const Monitor& monitor)
 {
   return { this->Foreground.GetImage(), this->Foreground.GetReader(),
     [this, &monitor](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); },
-    this->Noise, this->Settings.Feature.Modality, this->Candidate, this->Others, &this->NewTissue };
+    this->Noise, this->Foreground.GetModality(), this->Candidate, this->Others, &this->NewTissue };
 }
 
 bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)

@@ -36,7 +36,6 @@ public:
   /// Takes a foreground from elsewhere, which is settled: later levels keep it as it is.
   void SettleForeground(BitMask mask);
   OrganForeground& GetForeground() { return this->Foreground; }
-  /// Those given, with what they leave to the image's modality, which is not Automatic here.
   const OrganSegmentationSettings& GetSettings() const { return this->Settings; }
 
 private:

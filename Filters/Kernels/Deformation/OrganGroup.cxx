@@ -216,7 +216,7 @@ bool OrganGroup::Divide(const Monitor& monitor)
       member->Segmenter.GetBox().Begin, member->Seed, member->Constraints,
       member->Segmenter.GetNoise(), this->Fixed.empty() ? BitMask() : this->FixedVoxels(region) });
   }
-  const Modality modality = this->Members.front()->Organ().GetSettings().Feature.Modality;
+  const Modality modality = this->Members.front()->Organ().GetForeground().GetModality();
   if (!DivideClaims(claims, modality, this->Threads.For, monitor))
   {
     return false;

@@ -49,8 +49,8 @@
     "Iterations of the diffusion that smooths the volume")
 
 #define FLIPFREE_FEATURE_PARAMETERS(P, S)                                                          \
-  P(MaximumComponents, int, S Intensity.Mixture.MaximumComponents, 0, 8, "N",                      \
-    "Maximum number of Gaussians in the mixture; 0: 1 with {Carving} in CT, else 3", "Feature")    \
+  P(MaximumComponents, int, S Intensity.Mixture.MaximumComponents, 1, 8, "N",                      \
+    "Maximum number of Gaussians in the mixture", "Feature")                                       \
   P(MinimumComponentWeight, double, S Intensity.Mixture.MinimumWeight, 0, 1, "P",                  \
     "Weight below which a Gaussian is dropped from the mixture", "Feature")                        \
   P(NoiseWidening, double, S Intensity.NoiseWidening, 0, 100, "F",                                 \

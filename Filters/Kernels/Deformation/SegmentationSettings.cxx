@@ -51,7 +51,6 @@ OrganSegmentationSettings PublishedSettings()
   OrganSegmentationSettings settings;
   settings.Schedule.Levels = 1;
   settings.Schedule.MaximumIterations = 150;
-  settings.Feature.Intensity.Mixture.MaximumComponents = UsualComponents;
   settings.Feature.Intensity.Mixture.MinimumWeight = 0;
   settings.Feature.Intensity.NoiseWidening = 0;
   settings.Feature.ReestimateIntensities = false;

@@ -270,8 +270,7 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
 
   GaussianMixture best;
   double minimumCriterion = std::numeric_limits<double>::infinity();
-  const int most = settings.MaximumComponents > 0 ? settings.MaximumComponents : UsualComponents;
-  for (int components = 1; components <= most; ++components)
+  for (int components = 1; components <= settings.MaximumComponents; ++components)
   {
     std::vector<Gaussian> mixture = StartOf(histogram, components, minimumStandardDeviation);
     const double likelihood = Fit(histogram, minimumStandardDeviation, mixture);

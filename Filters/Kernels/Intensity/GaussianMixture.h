@@ -33,14 +33,10 @@ public:
   double ThresholdForMass(double mass) const;
 };
 
-/// At most, of a mixture of which nothing else is known.
-constexpr int UsualComponents = 3;
-
 struct MixtureSettings
 {
-  /// Maximum number of components; the Bayesian information criterion chooses. Zero:
-  /// UsualComponents; where fewer do better, ForModality() (OrganFeature.h) has said so.
-  int MaximumComponents = 0;
+  /// Maximum number of components; the Bayesian information criterion chooses.
+  int MaximumComponents = 3;
 
   /// Neighboring voxels are correlated: this many of them count as one observation.
   double Correlation = 27;

@@ -18,22 +18,7 @@ namespace
 // A region with less background than this part has no contrast.
 constexpr double MinimumBackground = 1e-3;
 
-// With carving.
-constexpr int ComponentsInCT = 1;
-
 } // namespace
-
-OrganFeatureSettings ForModality(const OrganFeatureSettings& settings, Modality modality)
-{
-  OrganFeatureSettings known = settings;
-  known.Modality = modality;
-  int& most = known.Intensity.Mixture.MaximumComponents;
-  if (most == 0 && known.Carving && modality == Modality::CT)
-  {
-    most = ComponentsInCT;
-  }
-  return known;
-}
 
 bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,

@@ -137,6 +137,11 @@ bool OrganForeground::Update(const IntensityModel& model, const Monitor& monitor
   return false;
 }
 
+Modality OrganForeground::GetModality() const
+{
+  return ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
+}
+
 void OrganForeground::SetMask(BitMask mask)
 {
   this->Mask = std::move(mask);

@@ -40,6 +40,9 @@ public:
   /// Leaves none.
   BitMask TakeMask() { return std::exchange(this->Mask, BitMask()); }
 
+  /// Of the image, where the settings leave it open; not Automatic.
+  FlipFree::Modality GetModality() const;
+
   /// Frees the mask's memory.
   void Clear() { this->Mask = BitMask(); }
 
