@@ -515,6 +515,7 @@ void Measure(const Options& options)
 } // namespace
 
 int main(int argc, char* argv[])
+try
 {
   Options options;
   options.WallThickness = vtkNew<Filter>()->GetWallThickness();
@@ -541,4 +542,9 @@ int main(int argc, char* argv[])
   CLI11_PARSE(program, argc, argv);
   Measure(options);
   return 0;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "MeasureVessels: %s\n", error.what());
+  return 1;
 }

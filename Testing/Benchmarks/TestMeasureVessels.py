@@ -57,6 +57,12 @@ class MeasureVessels(unittest.TestCase):
         self.assertEqual(row[:2], [0, 0])
         self.assertTrue(all(math.isnan(number) for number in row[2:]), row)
 
+    def test_a_table_without_vessels_is_named(self):
+        process = subprocess.run([self.PROGRAM, "--data", self.folder, "--cases", "none.csv"], capture_output=True, text=True,
+                                 check=False)
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual(process.stderr, f"MeasureVessels: there is no vessel in '{self.folder}/none.csv'\n")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -10,6 +10,9 @@ VesselStyle ThinVessel()
   style.Margin = 38;
   style.Speed.Bright = true;
   style.Speed.HighAllowance = 40;
+  // These two tell only where users give a radius.
+  style.Speed.MaximumCap = 3;
+  style.Speed.BodyScale = 2.2;
   style.Speed.TopHat = 7.5;
   style.Speed.Tube = 10;
   style.Sections.EdgeWeight = 15;
