@@ -79,8 +79,10 @@
  * - A property that is NaN.
  *
  * Warnings, which still give a result:
- * - The seed sphere reaches beyond the image, its gray values scatter far more than those in its
- *   inner half, or the surface touches the end of Reach.
+ * - The seed sphere reaches beyond the image.
+ * - Its gray values scatter more than 4.5 times as much as those in its inner half. With Carving,
+ *   the warning says which sphere was used in its place.
+ * - The surface touches the end of Reach.
  * - More than a fiftieth of the surface lies beside voxels without data.
  * - No vertex found a boundary, or the surface could not be refined.
  * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
@@ -278,8 +280,11 @@ public:
   ///@{
   /**
    * Radius of the seed sphere, in millimeters. Default 10; 1e-6 to 1e6. At least half the radius of
-   * the largest sphere that fits into the organ there is recommended. The lengths below that are
-   * given in seed radii scale with it.
+   * the largest sphere that fits into the organ there is recommended. With Carving, a sphere that
+   * reaches out of its tissue is replaced by a smaller one: its radius is reduced by a fifth until
+   * its gray values scatter at most 1.5 times as much as those in its inner half. The lengths below
+   * that are given in seed radii scale with what is left; Reach does not. Errors and other organs
+   * know the sphere as it is given, and further seed spheres are never made smaller.
    */
   void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);

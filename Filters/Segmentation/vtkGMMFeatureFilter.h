@@ -151,9 +151,9 @@ public:
    * outside, at most 20 mm wide, is removed from it, and so is the inferior vena cava from an organ
    * of at least 0.7 l, as a liver is. Default on. vtkFlipFreeSegmentation first runs all levels
    * without carving, then carves, and runs all levels again, from the start, on that foreground. A
-   * pipeline of the stages does the same with CarvingOff() at first and CarvingOn() later. See Y.
-   * Boykov, G. Funka-Lea: Graph cuts and efficient N-D image segmentation, 2006. Without a surface,
-   * it does nothing.
+   * pipeline of the stages does the same, from a seed within one tissue, with CarvingOff() at first
+   * and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts and efficient N-D image
+   * segmentation, 2006. Without a surface, it does nothing.
    */
   void SetCarving(bool value);
   bool GetCarving() const;

@@ -214,6 +214,23 @@ TEST(OrganGroup, OfOneIsTheOrganAlone)
   EXPECT_EQ(group.front().Warnings, alone.Warnings);
 }
 
+// What is certain of an organ is the core of its seed (UniformSphere), also where they contend.
+TEST(OrganGroup, ASeedThatReachesOutOfItsOrganTakesNothingFromTheOther)
+{
+  const TouchingBalls balls;
+  const SeedSphere large{ balls.Left.Center, 1.6 * TouchingBalls::Radius };
+  const SeedSphere small{ balls.Right.Center, 6 };
+  const std::vector<VolumeSegmentation> organs =
+    balls.Run({ { "left", large }, { "right", small } });
+  const std::vector<VolumeSegmentation> expected =
+    balls.Run({ { "left", balls.Left }, { "right", small } });
+  for (const bool left : { true, false })
+  {
+    EXPECT_NEAR(DiceOf(balls, organs[left ? 0 : 1].Voxels, left),
+      DiceOf(balls, expected[left ? 0 : 1].Voxels, left), 0.02);
+  }
+}
+
 // The points of one organ are outside the other, from the start, and each obeys its own.
 TEST(OrganGroup, ObeysPoints)
 {

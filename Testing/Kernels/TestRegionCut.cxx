@@ -205,6 +205,26 @@ TEST(RegionCut, MarginStops)
   EXPECT_LT(cut.MarginOf({ 0 }, SerialFor, [](double) { return false; }), 0);
 }
 
+// A leak through the body would take a minute in blocks of the usual size.
+TEST(RegionGrid, HasLargerBlocksOnlyInALargeMask)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 128, 128, 64 } };
+  BitMask mask(geometry);
+  for (std::size_t voxel = 0; voxel < MostBlocks; ++voxel)
+  {
+    mask.Insert(voxel);
+  }
+  constexpr double radius = 10;
+  const std::array<int, 3> usual = BlockGrid(geometry, RegionBlockSize(radius)).Factor;
+  EXPECT_EQ(RegionGrid(mask, radius).Factor, usual);
+  mask.Insert(MostBlocks);
+  const BlockGrid larger = RegionGrid(mask, radius);
+  EXPECT_GT(larger.VoxelsPerBlock(), 1U);
+  EXPECT_LE(mask.Count(), MostBlocks * larger.VoxelsPerBlock());
+  EXPECT_LE(larger.VoxelsPerBlock(), 8U);
+}
+
 // The blurred rim of the neck is no edge, and not darker tissue.
 TEST(SeveredParts, TissueThatGoesOnShowsNothing)
 {

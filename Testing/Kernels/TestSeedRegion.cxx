@@ -2,10 +2,12 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Image/SeedRegion.h"
+#include "Image/VoxelOffsets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -45,6 +47,31 @@ ImageGeometry GridAround(const Eigen::Vector3d& center, const Eigen::Matrix3d& d
 }
 
 const Eigen::Vector3d Center(-30, 20, 150);
+
+// A bright ball of 10 mm with noise, in the middle of 40 mm.
+FloatImage NoisyBall(double noise, double unit = 1, double origin = 0)
+{
+  FloatImage image;
+  image.Geometry.Dimensions = { { 40, 40, 40 } };
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, 1);
+  for (std::size_t voxel = 0; voxel < image.Geometry.NumberOfVoxels(); ++voxel)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, image.Geometry);
+    const Eigen::Vector3d place(index[0], index[1], index[2]);
+    const double tissue = (place - Eigen::Vector3d::Constant(20)).norm() < 10 ? 100 : 0;
+    image.Voxels.push_back(static_cast<float>(origin + unit * (tissue + noise * normal(random))));
+  }
+  return image;
+}
+
+double RadiusUsed(const FloatImage& image, double radius)
+{
+  const SeedSphere seed{ Eigen::Vector3d::Constant(20), radius };
+  const SeedSphere used = UniformSphere(image.View(), seed);
+  EXPECT_EQ(used.Center, seed.Center);
+  return used.Radius;
+}
 
 } // namespace
 
@@ -245,4 +272,68 @@ TEST(SeedRegion, VoxelVolumeIsThatOfTheParallelepiped)
     EXPECT_NEAR(geometry.VoxelVolume(), std::abs(x.dot(y.cross(z))), 1e-9) << name;
     EXPECT_NEAR(geometry.Milliliters(500), geometry.VoxelVolume() / 2, 1e-9) << name;
   }
+}
+
+TEST(SeedRegion, ASphereWithinOneTissueIsUniform)
+{
+  for (const double noise : { 0.0, 3.0, 6.0 })
+  {
+    const FloatImage image = NoisyBall(noise);
+    for (const double radius : { 6.0, 8.0, 9.0, 10.0 })
+    {
+      SCOPED_TRACE(testing::Message() << noise << " " << radius);
+      EXPECT_EQ(RadiusUsed(image, radius), radius);
+      EXPECT_LT(ScatterOverInnerHalf(image.View(), { Eigen::Vector3d::Constant(20), radius }), 1.3);
+    }
+  }
+}
+
+// A tenth of the voxels may be of other tissue: those of a sphere of 10.36 mm.
+TEST(SeedRegion, OfASphereThatReachesOutOfItsTissueTheInnerPartIsUniform)
+{
+  for (const double noise : { 0.0, 3.0, 6.0 })
+  {
+    const FloatImage image = NoisyBall(noise);
+    for (const double radius : { 11.0, 13.0, 15.0, 17.0, 19.0 })
+    {
+      SCOPED_TRACE(testing::Message() << noise << " " << radius);
+      const double used = RadiusUsed(image, radius);
+      EXPECT_LT(used, 10.4);
+      EXPECT_GT(used, 0.5 * radius);
+      // Gray values of another unit and origin say the same.
+      EXPECT_EQ(RadiusUsed(NoisyBall(noise, 0.125, -1024), radius), used);
+    }
+  }
+}
+
+TEST(SeedRegion, OfAFewVoxelsTheScatterIsChance)
+{
+  FloatImage image = NoisyBall(0);
+  image.Geometry.Spacing = { 4, 4, 4 };
+  const SeedSphere rim{ { 4 * 20, 4 * 20, 4 * 29.5 }, 11 };
+  EXPECT_EQ(ScatterOverInnerHalf(image.View(), rim), 0);
+  EXPECT_EQ(UniformSphere(image.View(), rim).Radius, 11);
+}
+
+// A step more or less is no other tissue.
+TEST(SeedRegion, RoundedGrayValuesOfOneTissueAreUniform)
+{
+  for (const double noise : { 0.2, 0.4, 0.6, 1.0 })
+  {
+    FloatImage image = NoisyBall(noise);
+    for (float& value : image.Voxels)
+    {
+      value = std::round(value);
+    }
+    SCOPED_TRACE(noise);
+    EXPECT_EQ(RadiusUsed(image, 9), 9);
+    EXPECT_LT(RadiusUsed(image, 15), 10.4);
+  }
+}
+
+TEST(SeedRegion, OfOneGrayValueTheScatterIsThatOfTheInnerHalf)
+{
+  FloatImage image = NoisyBall(0);
+  std::fill(image.Voxels.begin(), image.Voxels.end(), 7.0F);
+  EXPECT_EQ(ScatterOverInnerHalf(image.View(), { Eigen::Vector3d::Constant(20), 15 }), 1);
 }

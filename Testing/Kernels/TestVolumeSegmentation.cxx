@@ -101,6 +101,26 @@ TEST(VolumeSegmentation, FindsABall)
   EXPECT_NEAR(scores.SegmentationVolume, 8e-3 * CountVoxels(result.Voxels), 1e-9);
 }
 
+// With carving. Without, as published, the whole sphere is the model.
+TEST(VolumeSegmentation, FindsABallFromASphereThatIsTooLarge)
+{
+  const Volume volume;
+  const auto diceOf = [&volume](double factor, bool carving)
+  {
+    Volume larger = volume;
+    larger.Seed.Radius *= factor;
+    VolumeSegmentationSettings settings = Coarse();
+    settings.Method.Feature.Carving = carving;
+    const OrganSurface organ = SegmentIt(larger, larger.Gray(), settings).Organ;
+    return ScoreSurface(organ.Points, organ.Mesh.Triangles, volume.Reference(1), {}, SerialFor,
+      NeverStop)
+      .Dice;
+  };
+  EXPECT_GT(diceOf(1.5, true), 0.98);
+  EXPECT_GT(diceOf(2, true), 0.98);
+  EXPECT_LT(diceOf(2, false), 0.9);
+}
+
 TEST(VolumeSegmentation, StopsAndStartsWhereItIsTold)
 {
   const Volume volume;

@@ -59,7 +59,7 @@ class Questions(unittest.TestCase):
                 organ.answered(answers)
 
     def test_a_seed_that_is_not_within_the_organ_asks_nothing_and_gives_no_confidence(self):
-        # Beside the ball, in a corner of the image, and one that is wider than an aorta.
+        # Beside the ball, and in a corner of the image.
         for place, radius, message in (((78, 47, 20), 12, "of the surface found no boundary"),
                                        ((20, 12, 12), 8, "lies at the image's border")):
             voxels = numpy.frombuffer(lobed_ball(0), numpy.int16).reshape(SIZE[::-1])
@@ -67,8 +67,15 @@ class Questions(unittest.TestCase):
                 organ = flipfree.segment(voxels, place, radius, spacing=SPACING, resolution=16)
                 self.assertEqual(organ.questions, ())
                 self.assertLess(organ.confidence, 0.85)
-        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "in the seed sphere of 14 mm scatter far more"):
-            organ = flipfree.segment(flipfree.phantom("abdomen").image, (168.75, 148.75, 139), 14)
+
+    def test_a_seed_that_reaches_out_of_the_organ_is_made_smaller(self):
+        image = flipfree.phantom("abdomen").image  # an aorta, and the tissue around it
+        message = "^The seed sphere of 14 mm seems to reach out .*; a sphere of 8.96 mm was used in its place"
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, message):
+            organ = flipfree.segment(image, (168.75, 148.75, 139), 14)
+        self.assertGreater(organ.confidence, 0.25)
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "inner half; lower radius or move seed"):
+            organ = flipfree.segment(image, (168.75, 148.75, 139), 14, carving=False)
         self.assertEqual(organ.questions, ())
         self.assertLess(organ.confidence, 0.25)
 

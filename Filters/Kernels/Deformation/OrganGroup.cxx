@@ -213,7 +213,7 @@ bool OrganGroup::Divide(const Monitor& monitor)
     }
     const ImageGeometry region = foreground.GetMask().GetGeometry();
     claims.push_back({ foreground.TakeMask(), foreground.GetImage(),
-      member->Segmenter.GetBox().Begin, member->Seed, member->Constraints,
+      member->Segmenter.GetBox().Begin, member->Segmenter.GetCore(), member->Constraints,
       member->Segmenter.GetNoise(), this->Fixed.empty() ? BitMask() : this->FixedVoxels(region) });
   }
   const Modality modality = this->Members.front()->Organ().GetForeground().GetModality();

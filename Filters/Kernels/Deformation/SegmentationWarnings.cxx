@@ -3,7 +3,6 @@
 #include "Evidence/SurfaceConfidence.h"
 #include "Image/VoxelOffsets.h"
 #include "MessageText.h"
-#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +13,10 @@ namespace FlipFree
 namespace
 {
 
-// Of 98 seeds within organs, those of enough voxels have 3.9 at most, two-colored kidneys included.
-// In a phantom's liver, a sphere of 60 mm has 3.4 and still finds it; one of 70 mm has 6.8, and
-// finds the whole body.
+// Times the scatter of the inner half. Of 98 seeds within organs, those of enough voxels have 3.9
+// at most, two-colored kidneys included. In a phantom's liver, a sphere of 60 mm has 3.4, one of 70
+// mm has 6.8.
 constexpr double MixedSeedScatter = 4.5;
-constexpr std::size_t FewestVoxelsInSeed = 100; // of the inner half; of fewer, scatter is chance
 
 // Below this margin, per mm3, and of at least this part of the organ's volume; most of the smaller
 // parts are neighbors, whatever their gray values. Of the 50 of that size that were cut off at
@@ -29,19 +27,6 @@ constexpr double DoubtfulVolume = 0.08;
 
 // Of the vertices, beside voxels without data. Padding that only touches an organ stays below.
 constexpr double EndsSilently = 0.02;
-
-// Between the tenth and the ninetieth percentile.
-double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& voxels)
-{
-  std::vector<float> values;
-  values.reserve(voxels.size());
-  for (const std::size_t voxel : voxels)
-  {
-    values.push_back(image.Data[voxel]);
-  }
-  const float high = TakeQuantile(values, 0.9);
-  return high - TakeQuantile(values, 0.1);
-}
 
 // A question with its remedy. To the millimeter, the place is still deep in the part.
 std::string AskAbout(const DoubtfulPart& question)
@@ -118,23 +103,19 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const Implausibil
   return warnings;
 }
 
-std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& seed)
+std::string WarningOfMixedSeed(double scatter, const SeedSphere& seed, const SeedSphere& used)
 {
-  const std::vector<std::size_t> inner =
-    VoxelsInSphere(image.Geometry, { seed.Center, 0.5 * seed.Radius });
-  if (inner.size() < FewestVoxelsInSeed)
+  if (!(scatter > MixedSeedScatter))
   {
     return {};
   }
-  const double scatter = ScatterIn(image, VoxelsInSphere(image.Geometry, seed));
-  const double ofInner = ScatterIn(image, inner);
-  if (!(scatter > MixedSeedScatter * ofInner))
-  {
-    return {};
-  }
-  return "The gray values in the seed sphere of " + TextOf(seed.Radius) +
-    " mm scatter far more than those in its inner half, so the sphere may reach out of the organ; "
-    "lower {SeedRadius} or move {SeedCenter}.";
+  const std::string consequence = used.Radius < seed.Radius
+    ? "a sphere of " + TextOf(used.Radius) + " mm was used in its place. If the result is wrong, "
+    : std::string();
+  return "The seed sphere of " + TextOf(seed.Radius) +
+    " mm seems to reach out of the organ, since its gray values scatter far more than those in its "
+    "inner half; " +
+    consequence + "lower {SeedRadius} or move {SeedCenter}.";
 }
 
 std::string WarningOfNoData(const PointList& points, const BitMask& noData)

@@ -20,9 +20,10 @@ namespace FlipFree
 std::vector<std::string> WarningsOf(const OrganSurface& organ, const Implausibility& finding,
   const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings);
 
-/// A message for a seed sphere whose gray values scatter far more than those of its inner half,
-/// with its remedy; empty for any other. `image` has values in the sphere, before smoothing.
-std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& seed);
+/// A message for a seed sphere whose gray values scatter far more than those of its inner half
+/// (ScatterOverInnerHalf); empty for any other. `used` is the sphere that took its place, or the
+/// same.
+std::string WarningOfMixedSeed(double scatter, const SeedSphere& seed, const SeedSphere& used);
 
 /// A message for a surface of which a part lies where the image has no data (NoData.h), with its
 /// remedy; empty for any other. `noData` may have no grid.

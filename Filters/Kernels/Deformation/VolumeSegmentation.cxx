@@ -111,15 +111,28 @@ VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const Seed
   , Seed(seed)
   , Settings(SettingsFrom(start, settings))
   , Threads(std::move(threading))
+  , Core(seed)
 {
   RequireSeed(this->Volume.Geometry, seed, this->Name);
   this->IsSphere = start == nullptr;
-  this->StartBall = { seed.Center + settings.StartCenterOffset, settings.StartScale * seed.Radius };
-  this->StartsAtSeed =
-    this->IsSphere && settings.StartScale == 1 && this->StartBall.Center == seed.Center;
-  this->Start = start ? *start
-                      : MakeStartSphere(settings.Method.Schedule.FirstResolution(),
-                          this->StartBall.Center, this->StartBall.Radius);
+  this->StartsAtSeed = this->IsSphere && settings.StartScale == 1 &&
+    settings.StartCenterOffset == Eigen::Vector3d::Zero();
+  if (start)
+  {
+    this->Start = *start;
+  }
+  else
+  {
+    this->StartAtCore();
+  }
+}
+
+void VolumeSegmenter::StartAtCore()
+{
+  this->StartBall = { this->Core.Center + this->Settings.StartCenterOffset,
+    this->Settings.StartScale * this->Core.Radius };
+  this->Start = MakeStartSphere(this->Settings.Method.Schedule.FirstResolution(),
+    this->StartBall.Center, this->StartBall.Radius);
 }
 
 void VolumeSegmenter::SetForeground(std::shared_ptr<const BitMask> mask, std::string name)
@@ -164,7 +177,7 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
   diffusion.Threads = this->Threads.Number;
   this->Smooth = std::make_unique<SmoothRegion>(PartOf(this->Volume.Read, box), this->Region,
     diffusion, this->Threads.For, this->Volume.IsComplete);
-  this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Seed,
+  this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Core,
     this->Start, this->Settings.Method, this->Threads.For);
   if (this->Given)
   {
@@ -183,7 +196,16 @@ void VolumeSegmenter::LookAtSeed()
   const FloatImage around = ReadBox(this->Volume.Read, geometry,
     BoxAround(geometry, this->Seed.Center, this->Seed.Radius), SerialFor);
   this->Noise = NoiseStandardDeviation(around.View(), this->Seed);
-  this->MixedSeed = this->Given ? std::string() : WarningOfMixedSeed(around.View(), this->Seed);
+  this->Core = this->Settings.Method.Feature.Carving && !this->Given
+    ? UniformSphere(around.View(), this->Seed)
+    : this->Seed;
+  this->MixedSeed = this->Given
+    ? std::string()
+    : WarningOfMixedSeed(ScatterOverInnerHalf(around.View(), this->Seed), this->Seed, this->Core);
+  if (this->IsSphere)
+  {
+    this->StartAtCore();
+  }
 }
 
 void VolumeSegmenter::RequireDataAtSeeds(const ConstraintList& constraints) const
@@ -293,12 +315,14 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   // nothing.
   const bool isFree = constraints.empty();
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
-    this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,
+    this->Core, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,
     this->Threads.For);
-  const Implausibility finding = CheckPlausibility(organ, this->Region, geometry, this->Seed.Radius,
+  const Implausibility finding = CheckPlausibility(organ, this->Region, geometry, this->Core.Radius,
     method, this->StartsAtSeed && !this->Given && organ.Reason != StopReason::NoBoundaryFound);
-  const bool isSeedDoubtful = !this->MixedSeed.empty() || IsSeedDoubtful(organ, finding);
-  if (!this->MixedSeed.empty())
+  // Where its core was used, the result is as sure as any.
+  const bool isCoreUsed = this->Core.Radius < this->Seed.Radius;
+  const bool isMixed = !this->MixedSeed.empty() && !isCoreUsed;
+  if (isMixed)
   {
     result.Confidence.OfSurface *= ConfidenceLeftByMixedSeed;
   }
@@ -312,11 +336,12 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     }
   }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
-  if (!isSeedDoubtful)
+  if (!isMixed && !IsSeedDoubtful(organ, finding))
   {
     result.Questions = QuestionsOf(organ.Carving.Doubts, constraints, result.Voxels, geometry);
   }
-  if (!result.Warnings.empty() || !isFree)
+  const std::size_t harmless = isCoreUsed && !this->MixedSeed.empty() ? 1 : 0;
+  if (result.Warnings.size() > harmless || !isFree)
   {
     return; // more is wrong than a part
   }

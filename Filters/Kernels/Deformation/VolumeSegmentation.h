@@ -110,12 +110,15 @@ public:
   const VoxelBox& GetBox() const { return this->Box; }
   const ImageGeometry& GetGeometry() const { return this->Volume.Geometry; }
   double GetNoise() const { return this->Noise; }
+  /// The seed; once prepared, without what reaches out of its tissue.
+  const SeedSphere& GetCore() const { return this->Core; }
 
 private:
   void RequireProper(const ConstraintList& constraints) const;
   VoxelBox RegionOf(const ConstraintList& constraints) const;
   void PrepareBox(const VoxelBox& box);
   void LookAtSeed();
+  void StartAtCore();
   void RequireDataAtSeeds(const ConstraintList& constraints) const;
 
   const GrayVolume Volume;
@@ -123,6 +126,7 @@ private:
   const SeedSphere Seed;
   const VolumeSegmentationSettings Settings;
   const Threading Threads;
+  SeedSphere Core; ///< the seed's, from which the organ is sought (UniformSphere)
   DeformableSurface Start;
   SeedSphere StartBall;
   bool IsSphere = true; ///< the start

@@ -15,7 +15,7 @@ namespace FlipFree
 namespace
 {
 
-// Of the blocks of a cut (RegionBlockSize).
+// Of the usual blocks of a cut (RegionBlockSize).
 constexpr double CoarseScale = 1.6;
 
 } // namespace

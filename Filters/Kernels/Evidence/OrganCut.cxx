@@ -40,7 +40,7 @@ public:
     , Ask(monitor)
     , Mask(mask)
     , State(state)
-    , Grid(mask.GetGeometry(), RegionBlockSize(Ball.Radius))
+    , Grid(RegionGrid(mask, Ball.Radius))
     , Size(Grid.Blocks.Dimensions)
     , OfBall(StatisticsInBall(image, Grid.Voxels, Ball))
     , Spread(std::max({ OfBall.StandardDeviation, 0.5 * noise, LeastDeviation }))

@@ -11,6 +11,20 @@ double RegionBlockSize(double radius)
   return std::max(1.2, std::min(2.5, radius / 8));
 }
 
+BlockGrid RegionGrid(const BitMask& mask, double radius)
+{
+  constexpr double step = 1.25;
+  const std::size_t voxels = mask.Count();
+  double size = RegionBlockSize(radius);
+  BlockGrid grid(mask.GetGeometry(), size);
+  while (voxels > MostBlocks * grid.VoxelsPerBlock())
+  {
+    size *= step;
+    grid = BlockGrid(mask.GetGeometry(), size);
+  }
+  return grid;
+}
+
 BlockLinks RegionLinks(double smoothness, double radius, double spread)
 {
   return { smoothness * std::max(5.0, std::min(40.0, radius)), 3 * spread };

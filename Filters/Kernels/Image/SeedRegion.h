@@ -1,6 +1,6 @@
 /**
- * The seed sphere in an image: its voxels and their noise. Work is done on a box around the seed,
- * so that its cost depends on the organ and not on the volume.
+ * The seed sphere in an image: its voxels, their noise, and how far they are of one tissue. Work is
+ * done on a box around the seed, so that its cost depends on the organ and not on the volume.
  */
 #ifndef FlipFreeSeedRegion_h
 #define FlipFreeSeedRegion_h
@@ -76,6 +76,16 @@ std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const SeedS
 /// along the finest axis; of several equally fine axes, the one with the smallest differences
 /// counts, since structure can only add to them, and the order of the axes must not matter.
 double NoiseStandardDeviation(const ImageView<float>& image, const SeedSphere& seed);
+
+/// How many times as much gray values scatter in the sphere as in its inner half: about 1 within
+/// one tissue, and infinite where the inner half has one gray value and the sphere others. Zero
+/// where the inner half has too few voxels to tell. Neither the unit nor the origin of gray values
+/// matters, nor a tenth of the voxels at either end.
+double ScatterOverInnerHalf(const ImageView<float>& image, const SeedSphere& seed);
+
+/// The sphere or, while it reaches out of its tissue, smaller ones around its center, until one
+/// does not or has too few voxels to tell.
+SeedSphere UniformSphere(const ImageView<float>& image, const SeedSphere& seed);
 
 } // namespace FlipFree
 
