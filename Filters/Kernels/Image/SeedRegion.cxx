@@ -102,8 +102,7 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
   return TakeMedian(differences);
 }
 
-std::vector<float> SortedValues(const ImageView<float>& image,
-  const std::vector<std::size_t>& voxels)
+std::vector<float> ValuesOf(const ImageView<float>& image, const std::vector<std::size_t>& voxels)
 {
   std::vector<float> values;
   values.reserve(voxels.size());
@@ -111,20 +110,21 @@ std::vector<float> SortedValues(const ImageView<float>& image,
   {
     values.push_back(image.Data[voxel]);
   }
-  std::sort(values.begin(), values.end());
   return values;
 }
 
-// Between the tenth and the ninetieth percentile.
-double ScatterOf(const std::vector<float>& sorted)
+// Between the tenth and the ninetieth percentile. Changes the order of the values.
+double ScatterOf(std::vector<float>& values)
 {
-  const std::size_t tenth = sorted.size() / 10;
-  return sorted[sorted.size() - 1 - tenth] - sorted[tenth];
+  const std::size_t tenth = values.size() / 10;
+  const float high = TakePlace(values, values.size() - 1 - tenth);
+  return high - TakePlace(values, tenth);
 }
 
 // The smallest between two gray values: 1 of integers. Zero where all are the same.
-double StepOf(const std::vector<float>& sorted)
+double StepOf(std::vector<float> sorted)
 {
+  std::sort(sorted.begin(), sorted.end());
   float least = std::numeric_limits<float>::infinity();
   for (std::size_t at = 1; at < sorted.size(); ++at)
   {
@@ -193,9 +193,10 @@ double ScatterOverInnerHalf(const ImageView<float>& image, const SeedSphere& see
   {
     return 0;
   }
-  const std::vector<float> inner = SortedValues(image, voxels);
+  std::vector<float> inner = ValuesOf(image, voxels);
+  std::vector<float> all = ValuesOf(image, VoxelsInSphere(image.Geometry, seed));
   const double ofInner = std::max(ScatterOf(inner), steps * StepOf(inner));
-  const double ofSphere = ScatterOf(SortedValues(image, VoxelsInSphere(image.Geometry, seed)));
+  const double ofSphere = ScatterOf(all);
   if (ofInner > 0)
   {
     return ofSphere / ofInner;
