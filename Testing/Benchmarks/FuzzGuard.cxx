@@ -61,7 +61,7 @@ std::vector<Shape> ShapesOf(int n)
   std::mt19937 random(n);
   const TestSphere coarse(n / 2);
   PointList crumpled = coarse.Points();
-  const EmbeddingGuard guard(coarse.Mesh);
+  EmbeddingGuard guard(coarse.Mesh);
   for (int step = 0; step < 3; ++step)
   {
     PointList motion = WhiteNoise(crumpled.rows(), 0.2 * coarse.EdgeLength, random);
@@ -80,7 +80,7 @@ std::vector<Shape> ShapesOf(int n)
 }
 
 // One motion; returns where it ended.
-PointList Try(const Shape& shape, const EmbeddingGuard& guard, const PointList& points,
+PointList Try(const Shape& shape, EmbeddingGuard& guard, const PointList& points,
   const PointList& wanted, std::mt19937& random, Tally& tally)
 {
   const FaceList& faces = shape.Mesh.Faces;
@@ -114,7 +114,7 @@ PointList Try(const Shape& shape, const EmbeddingGuard& guard, const PointList& 
 }
 
 // Targets that are not finite must be refused, whichever they are.
-int CountAccepted(const Shape& shape, const EmbeddingGuard& guard, int tries, std::mt19937& random)
+int CountAccepted(const Shape& shape, EmbeddingGuard& guard, int tries, std::mt19937& random)
 {
   int accepted = 0;
   for (int i = 0; i < tries; ++i)

@@ -60,7 +60,7 @@ void MeasureGrowth(int greatest)
   for (int n = 8; n <= greatest; n *= 2)
   {
     const Expansion expansion(n);
-    const EmbeddingGuard guard(expansion.Mesh);
+    EmbeddingGuard guard(expansion.Mesh);
     const double edge = 26.0 * 1.57 / n;
     std::mt19937 random(1);
     const PointList noise = WhiteNoise(expansion.Points().rows(), 0.05 * edge, random);
@@ -88,7 +88,7 @@ void MeasureGrowth(int greatest)
 void MeasureExpansion(int n)
 {
   const Expansion expansion(n);
-  const EmbeddingGuard guard(expansion.Mesh);
+  EmbeddingGuard guard(expansion.Mesh);
   GuardReport report;
   const double seconds = SecondsOf(
     [&]

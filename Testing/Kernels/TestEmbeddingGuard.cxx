@@ -124,7 +124,7 @@ TEST(EmbeddingGuard, LeavesValidMotionsAlone)
   for (int n : { 1, 4, 8 })
   {
     const TestSphere sphere(n);
-    const EmbeddingGuard guard(sphere.Mesh);
+    EmbeddingGuard guard(sphere.Mesh);
     const PointList outward = Outward(sphere);
     const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
@@ -155,7 +155,7 @@ TEST(EmbeddingGuard, AdverseMotionsEndEmbedded)
   for (int n : { 4, 8, 16 })
   {
     const TestSphere sphere(n);
-    const EmbeddingGuard guard(sphere.Mesh);
+    EmbeddingGuard guard(sphere.Mesh);
     for (int repeat = 0; repeat < 400 / n; ++repeat)
     {
       for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
@@ -179,7 +179,7 @@ TEST(EmbeddingGuard, AdverseMotionsAreValidAllTheWay)
 {
   std::mt19937 random(3);
   const TestSphere sphere(6);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
     for (int repeat = 0; repeat < 4; ++repeat)
@@ -200,7 +200,7 @@ TEST(EmbeddingGuard, SmallToriEndEmbedded)
   const auto check = [&](const PointList& points, const ContourMesh& mesh, double edge)
   {
     ASSERT_EQ(mesh.EulerNumber(), 0);
-    const EmbeddingGuard guard(mesh);
+    EmbeddingGuard guard(mesh);
     ASSERT_EQ(CountSelfIntersections(points, mesh.Faces), 0);
     for (int repeat = 0; repeat < 20; ++repeat)
     {
@@ -236,7 +236,7 @@ TEST(EmbeddingGuard, SequencesOfAdverseMotionsStayEmbedded)
   for (QuadSphereSpacing spacing : { QuadSphereSpacing::Equiangular, QuadSphereSpacing::Cube })
   {
     const TestSphere sphere(5, spacing);
-    const EmbeddingGuard guard(sphere.Mesh);
+    EmbeddingGuard guard(sphere.Mesh);
     for (int sequence = 0; sequence < 3; ++sequence)
     {
       PointList points = sphere.Points();
@@ -259,7 +259,7 @@ TEST(EmbeddingGuard, KeepsTheGap)
 {
   std::mt19937 random(5);
   const TestSphere sphere(3);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   const double edge = TypicalEdgeLength(sphere.Mesh.Neighbors, sphere.Points());
   ASSERT_GT(MinimumGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
@@ -277,7 +277,7 @@ TEST(EmbeddingGuard, MovedVerticesEndAtSinglePrecision)
 {
   std::mt19937 random(10);
   const TestSphere sphere(6);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   for (double far : { 0.0, 1e3, 1e9 })
   {
     for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
@@ -305,7 +305,7 @@ TEST(EmbeddingGuard, ThinSurfaces)
 {
   std::mt19937 random(6);
   const TestSphere sphere(6);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   for (double thickness : { 1e-3, 1e-6, 1e-9, 1e-12, 1e-14 })
   {
     PointList points = Outward(sphere);
@@ -338,7 +338,7 @@ TEST(EmbeddingGuard, ThinSurfaces)
 TEST(EmbeddingGuard, WhatMovesTogetherIsTestedAgain)
 {
   const ThinShape shape;
-  const EmbeddingGuard guard(shape.Sphere.Mesh);
+  EmbeddingGuard guard(shape.Sphere.Mesh);
   int tries = 0;
   for (int vertex = 0; vertex < shape.Points.rows(); vertex += 10)
   {
@@ -367,7 +367,7 @@ TEST(EmbeddingGuard, WhatMovesTogetherIsTestedAgain)
 TEST(EmbeddingGuard, HoldsBackOnlyNearTheTrouble)
 {
   const TestSphere sphere(16);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   PointList displacements = PointList::Constant(sphere.Points().rows(), 3, 1.0);
   // One vertex is pushed through the opposite side.
   displacements.row(0) -= 3 * Outward(sphere).row(0);
@@ -381,7 +381,7 @@ TEST(EmbeddingGuard, TheNumberOfThreadsDoesNotMatter)
 {
   std::mt19937 random(7);
   const TestSphere sphere(8);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
     PointList one = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
@@ -406,7 +406,7 @@ TEST(EmbeddingGuard, StoppedFromOutsideItLeavesNoMotion)
 TEST(EmbeddingGuard, RefusesWhatIsNotFinite)
 {
   const TestSphere sphere(4);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   const PointList zero = PointList::Zero(sphere.Points().rows(), 3);
   const auto messageOf = [&](const PointList& points, PointList displacements)
   { return MessageOf([&] { guard.Limit(points, displacements, SerialFor, NeverStop); }); };
@@ -429,7 +429,7 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItself)
 {
   std::mt19937 random(8);
   const TestSphere sphere(4);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   PointList crossed = sphere.Points();
   crossed.row(5) += 3 * (Center - crossed.row(5));
   const PointList rest = PointList::Zero(crossed.rows(), 3);
@@ -452,7 +452,7 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItself)
 TEST(EmbeddingGuard, RefusesAStartThatIntersectsItselfWhereCornersStopTheMotion)
 {
   const TestSphere sphere(6);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   PointList points = sphere.Points();
   const Eigen::RowVector3d center = points.colwise().mean();
   const int vertex = 20;

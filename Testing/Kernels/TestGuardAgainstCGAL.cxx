@@ -441,7 +441,7 @@ TEST(GuardAgainstCGAL, NothingMeetsAtAnyTime)
 {
   std::mt19937 random(7);
   const TestSphere sphere(3);
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   PointList points = sphere.Points();
   std::size_t without = 0;
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)

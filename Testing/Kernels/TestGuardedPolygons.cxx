@@ -104,7 +104,7 @@ std::ptrdiff_t CountOfRandomCuts(const ContourMesh& mesh, const PointList& from,
 void ExpectAllCutsSafe(const ContourMesh& mesh, PointList points, std::uint32_t seed)
 {
   std::mt19937 random(seed);
-  const EmbeddingGuard guard(mesh);
+  EmbeddingGuard guard(mesh);
   const CutFeatures features(mesh.Faces);
   const double edge = TypicalEdgeLength(mesh.Neighbors, points);
   int lostWithout = 0;

@@ -52,7 +52,7 @@ TEST(MeshUnion, IsGuardedAsOneSurface)
 {
   const Ball one(6, { 0, 0, 0 }, 10);
   const Ball both = Both(one, Ball(6, { 25, 0, 0 }, 10));
-  const EmbeddingGuard guard(both.Mesh);
+  EmbeddingGuard guard(both.Mesh);
   PointList points = both.Points;
   for (int step = 0; step < 10; ++step)
   {

@@ -74,7 +74,7 @@ struct GuardedScene
   PointList Points;
   PointList Obstacles;
   double Edge;
-  EmbeddingGuard Guard;
+  mutable EmbeddingGuard Guard;
   CutFeatures Features;
 };
 

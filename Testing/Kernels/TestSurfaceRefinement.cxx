@@ -23,7 +23,7 @@ namespace
 // A sphere after some adverse motions, as far as the guard lets them go.
 PointList Crumpled(const TestSphere& sphere, int kind, int steps, std::mt19937& random)
 {
-  const EmbeddingGuard guard(sphere.Mesh);
+  EmbeddingGuard guard(sphere.Mesh);
   PointList points = sphere.Points();
   for (int step = 0; step < steps; ++step)
   {

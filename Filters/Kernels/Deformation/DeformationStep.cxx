@@ -33,7 +33,7 @@ PointList FindMotion(DeformationSolver& solver, const DeformationStepSettings& s
   return motion;
 }
 
-DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
+DeformationStepReport DeformOnce(DeformationSolver& solver, EmbeddingGuard* guard,
   const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   CorrespondenceField& field, PointList& points)
 {

@@ -41,7 +41,7 @@ PointList FindMotion(DeformationSolver& solver, const DeformationStepSettings& s
 /// those after propagation, which the solver was given. Without a guard (null) the solved motion is
 /// applied as it is. Throws Error when the system has no finite solution, or when the guard refuses
 /// the surface.
-DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
+DeformationStepReport DeformOnce(DeformationSolver& solver, EmbeddingGuard* guard,
   const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   CorrespondenceField& field, PointList& points);
 

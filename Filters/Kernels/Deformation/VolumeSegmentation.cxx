@@ -315,7 +315,7 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   // nothing.
   const bool isFree = constraints.empty();
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
-    this->Core, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,
+    this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,
     this->Threads.For);
   const Implausibility finding = CheckPlausibility(organ, this->Region, geometry, this->Core.Radius,
     method, this->StartsAtSeed && !this->Given && organ.Reason != StopReason::NoBoundaryFound);

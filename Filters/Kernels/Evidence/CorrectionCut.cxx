@@ -599,7 +599,7 @@ private:
 
 BlockGrid CorrectionGrid(const BitMask& mask, const SeedSphere& seed)
 {
-  return { mask.GetGeometry(), RegionBlockSize(BallInside(mask, seed).Radius) };
+  return RegionGrid(mask, BallInside(mask, seed).Radius);
 }
 
 bool CutCorrections(const CorrectionEvidence& evidence,

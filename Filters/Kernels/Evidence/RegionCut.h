@@ -20,9 +20,9 @@ namespace FlipFree
 /// millimeters long.
 double RegionBlockSize(double radius);
 
-/// A mask has the volume of so many blocks at most. Organs have that of 400,000; a leak through the
-/// body would have that of millions, and its cut take a minute.
-constexpr std::size_t MostBlocks = 600000;
+/// A mask has the volume of so many blocks at most. More of them decide no better, but take longer:
+/// a liver would have 400,000, and a leak through the body millions.
+constexpr std::size_t MostBlocks = 100000;
 
 /// The blocks of the cut of a mask: larger ones where there would be too many.
 BlockGrid RegionGrid(const BitMask& mask, double radius);

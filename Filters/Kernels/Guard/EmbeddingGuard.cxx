@@ -77,7 +77,7 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh, const ParallelFor& paral
 }
 
 GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displacements,
-  const ParallelFor& parallelFor, const Monitor& monitor) const
+  const ParallelFor& parallelFor, const Monitor& monitor)
 {
   this->RequireFinite(points, "position", MaximumPosition);
   this->RequireFinite(displacements, "displacement", std::numeric_limits<double>::max());
@@ -128,8 +128,12 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   report.IsGuarded = step.IsScaled();
   report.Guarded =
     static_cast<int>(std::count(report.IsGuarded.begin(), report.IsGuarded.end(), 1));
-  this->RequireEmbeddedAtRest(step.Path(), parallelFor);
+  if (this->Embedded.rows() != points.rows() || this->Embedded != points)
+  {
+    this->RequireEmbeddedAtRest(step.Path(), parallelFor);
+  }
   report.Positions = step.Path().To;
+  this->Embedded = report.Positions;
   displacements = report.Positions - points;
   return report;
 }

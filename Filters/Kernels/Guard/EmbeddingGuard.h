@@ -74,7 +74,7 @@ public:
   /// coordinate beyond 1e30 mm, and, naming the first pair of faces, if the surface intersects
   /// itself at `points`.
   GuardReport Limit(const PointList& points, PointList& displacements,
-    const ParallelFor& parallelFor, const Monitor& monitor) const;
+    const ParallelFor& parallelFor, const Monitor& monitor);
 
   /// Of the mesh's faces.
   const FaceHulls& Hulls() const { return this->Candidates.Hulls(); }
@@ -92,6 +92,7 @@ private:
   FaceList Faces;
   std::vector<std::array<int, 4>> Neighbors;
   CandidatePairs Candidates;
+  PointList Embedded; // where the last step that was certified ended
   PointList Obstacles = PointList(0, 3);
   std::vector<VertexRange> Ranges; // of the obstacles
 };

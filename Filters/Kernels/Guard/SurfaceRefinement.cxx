@@ -31,7 +31,7 @@ constexpr double MaximumGap = 0.1;
 constexpr double Relaxation = 0.5;
 
 // Smooths the surface at some vertices. The fixed surface's vertices follow its own.
-void RelaxOnce(const ContourMesh& mesh, const PointList& fixed, const EmbeddingGuard& guard,
+void RelaxOnce(const ContourMesh& mesh, const PointList& fixed, EmbeddingGuard& guard,
   const std::set<int>& vertices, const ParallelFor& parallelFor, const Monitor& monitor,
   PointList& points)
 {
@@ -85,7 +85,7 @@ struct FineFaces
 {
   const RefinedMesh& Refined;
   const TriangleList& Triangles;
-  const EmbeddingGuard& Guard;
+  EmbeddingGuard& Guard;
 };
 
 // The refined surface wherever its old vertices are.
