@@ -66,7 +66,7 @@ void Corrections::Remove(const Step& step)
 {
   for (std::size_t count = step.Places.size(); count > 0; --count)
   {
-    this->Filter->RemoveLastPoint();
+    this->Filter->RemoveLastCorrection();
   }
 }
 

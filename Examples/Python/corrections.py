@@ -75,7 +75,7 @@ class Corrections:
 
     def _remove(self, places):
         for _ in places:
-            self.filter.RemoveLastPoint()
+            self.filter.RemoveLastCorrection()
         self._segment()
 
     def _segment(self):

@@ -31,14 +31,14 @@ image = flipfree.read_image(arguments.image) if arguments.image else inputs.phan
 vessel = flipfree.trace(image, arguments.point or AORTA, radius=arguments.radius)
 print(vessel)
 for number, branch in enumerate(vessel.branches):
-    radius = branch["radius"]
-    print(f"branch {number}: {branch['length'][-1]:.0f} mm long, radius {numpy.median(radius):.1f} mm"
+    radius = branch.radius
+    print(f"branch {number}: {branch.length[-1]:.0f} mm long, radius {numpy.median(radius):.1f} mm"
           f" ({radius.min():.1f} to {radius.max():.1f})")
 
 
 def straightened(volume, branch, width):
     """A volume along a branch as if the vessel were straight: an image of a single row, head up."""
-    points = branch["points"]
+    points = branch.points
     if points[0, 2] > points[-1, 2]:
         points = points[::-1]
     tangents = numpy.gradient(points, axis=0)
@@ -51,7 +51,7 @@ def straightened(volume, branch, width):
     indices = (places - volume.GetOrigin()) @ numpy.linalg.inv(axes).T / volume.GetSpacing()
     voxels = flipfree.array_from_image(volume)
     i, j, k = numpy.clip(numpy.rint(indices), 0, numpy.array(voxels.shape[::-1]) - 1).astype(int).T
-    step = branch["length"][-1] / (len(points) - 1)
+    step = branch.length[-1] / (len(points) - 1)
     return flipfree.image_from_array(voxels[k, j, i].T[:, None, :], spacing=(STEP, 1, step))
 
 

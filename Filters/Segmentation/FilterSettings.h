@@ -13,6 +13,8 @@
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkVesselAlgorithm.h"
 
+#include <string>
+
 namespace FlipFree
 {
 
@@ -22,6 +24,13 @@ public:
   static VolumeSegmentationSettings Of(const vtkFlipFreeSegmentation* filter)
   {
     return filter->GetSettings();
+  }
+
+  /// Throws Error where its stages have what would have no effect.
+  static void RequireNoUnusedOfStages(const vtkFlipFreeSegmentation* filter,
+    const std::string& owner)
+  {
+    filter->RequireNoUnusedStageSettings(owner);
   }
 
   /// Of the stages, too.

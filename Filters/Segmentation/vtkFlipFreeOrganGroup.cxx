@@ -11,6 +11,7 @@
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "TableAdapter.h"
+#include "UnusedSettings.h"
 
 #include "Deformation/ConvergenceColumns.h"
 #include "Deformation/Provenance.h"
@@ -373,6 +374,15 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   request.Organs = this->Kept->Organs;
   FlipFree::AddConstraintsOf(inputs[1], 1, request.Organs);
   request.Fixed = FixedSurfacesOf(inputs[2]);
+  FlipFree::RequireNoConnection("GetParameters()", this->Parameters);
+  FlipFree::RequireNoSeed("GetParameters()", this->Parameters.Get(), "AddOrgan()");
+  if (this->Parameters->GetNumberOfCorrections() > 0)
+  {
+    throw FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
+      "GetParameters() has points, which are not used; add them to this filter, with the name of "
+      "their organ, and call RemoveAllCorrections() of GetParameters()");
+  }
+  FlipFree::FilterSettings::RequireNoUnusedOfStages(this->Parameters, " of GetParameters()");
   request.Settings = FlipFree::FilterSettings::Of(this->Parameters);
   request.Settings.LabelValue = this->LabelValue;
   FlipFree::GroupAnswer answer = FlipFree::SegmentGroup(FlipFree::GrayVolumeOf(image, NameOfImage),

@@ -36,8 +36,9 @@
  *
  * Errors, with a code of FlipFreeErrorCode.h: those of vtkFlipFreeSegmentation, naming the organ;
  * no organ, or one without a seed; two organs whose seeds overlap; a point of one organ in a seed
- * of another; a seed or start sphere that meets a fixed surface; Guard or Carving switched off. The
- * outputs are then empty. Warnings: those of vtkFlipFreeSegmentation, with the organ's name.
+ * of another; a seed or start sphere that meets a fixed surface; Guard or Carving switched off; a
+ * seed, an input or points of GetParameters(). The outputs are then empty. Warnings: those of
+ * vtkFlipFreeSegmentation, with the organ's name.
  */
 #ifndef vtkFlipFreeOrganGroup_h
 #define vtkFlipFreeOrganGroup_h
@@ -112,10 +113,11 @@ public:
 
   ///@{
   /**
-   * The filter whose parameters all organs and stages use. Only its parameters are used, not its
-   * seed, points and inputs; its LabelValue and KeepHistory are ignored, as well as what it ignores
-   * of its stages (see vtkFlipFreeSegmentation::GetDiffusion()). Changing one makes the group
-   * execute again. Setting null sets the defaults.
+   * The filter whose parameters all organs and stages use. A seed, an input or points of it, which
+   * would have no effect, are an error of Update(), as are those of its stages
+   * (vtkFlipFreeSegmentation::GetDiffusion()). Its LabelValue, StartLabel, KeepHistory and
+   * KeepForCorrections are not used. Changing a parameter makes the group execute again. Setting
+   * null sets the defaults.
    */
   vtkFlipFreeSegmentation* GetParameters() const;
   void SetParameters(vtkFlipFreeSegmentation* parameters);

@@ -77,6 +77,7 @@
  * - Start labels: with other voxels than the image's, without voxels of StartLabel, or given
  *   together with a start surface.
  * - A property that is NaN.
+ * - A connection, seed or threshold of a stage, which would have no effect (see GetDiffusion()).
  *
  * Warnings, which still give a result:
  * - The seed sphere reaches beyond the image.
@@ -106,6 +107,7 @@
 #include "vtkSmartPointer.h" // for the stages
 
 #include <memory> // for std::unique_ptr
+#include <string> // for names
 #include <vector> // for the constraints
 
 class vtkCorrespondenceSearch;
@@ -205,9 +207,9 @@ public:
    * The number of points added, not counting those of input port 2; removes the last one added, if
    * there is one, or all.
    */
-  int GetNumberOfAddedPoints() const;
-  void RemoveLastPoint();
-  void RemoveAllPoints();
+  int GetNumberOfCorrections() const;
+  void RemoveLastCorrection();
+  void RemoveAllCorrections();
   ///@}
 
   ///@{
@@ -252,11 +254,11 @@ public:
   ///@{
   /**
    * The stages, which own the parameters of their part of the method; changing one makes this
-   * filter execute again. Only their parameters are used here. Their connections are ignored, and
-   * so are SeedCenter and SeedRadius of GetDiffusion() and GetFeature(), for which this filter has
-   * its own, and Threshold of GetSearch(), in place of which FeatureThreshold of GetFeature()
-   * counts: setting these also makes this filter execute again, but changes nothing. Setting null
-   * sets a new stage with default parameters.
+   * filter execute again. Only their parameters are used here. What would have no effect is an
+   * error of Update(): a connection of a stage; SeedCenter and SeedRadius of GetDiffusion() and
+   * GetFeature(), for which this filter has its own; and Threshold of GetSearch(), in place of
+   * which FeatureThreshold of GetFeature() counts. Setting null sets a new stage with default
+   * parameters.
    */
   vtkSeedRegionDiffusion* GetDiffusion() const;
   void SetDiffusion(vtkSeedRegionDiffusion* stage);
@@ -283,8 +285,9 @@ public:
    * the largest sphere that fits into the organ there is recommended. With Carving, a sphere that
    * reaches out of its tissue is replaced by a smaller one: its radius is reduced by a fifth until
    * its gray values scatter at most 1.5 times as much as those in its inner half. The lengths below
-   * that are given in seed radii scale with what is left; Reach does not. Errors and other organs
-   * know the sphere as it is given, and further seed spheres are never made smaller.
+   * that are given in seed radii scale with what is left; Reach does not. Errors, other organs
+   * and the confidence know the sphere as it is given, and further seed spheres are never made
+   * smaller.
    */
   void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
@@ -506,6 +509,8 @@ protected:
 private:
   friend class FlipFree::FilterSettings;
   FlipFree::VolumeSegmentationSettings GetSettings() const;
+  /// `owner` is what comes after the name of a stage's getter.
+  void RequireNoUnusedStageSettings(const std::string& owner = "") const;
   void UseSettings(const FlipFree::VolumeSegmentationSettings& settings);
   void UseMethod(const FlipFree::OrganSegmentationSettings& method);
   bool IsCacheUpToDate(vtkInformationVector** inputs);

@@ -50,12 +50,12 @@ void vtkFlipFreeSegmentation::AddConstraint(const FlipFree::PointConstraint& con
   this->Modified();
 }
 
-int vtkFlipFreeSegmentation::GetNumberOfAddedPoints() const
+int vtkFlipFreeSegmentation::GetNumberOfCorrections() const
 {
   return static_cast<int>(this->Constraints->size());
 }
 
-void vtkFlipFreeSegmentation::RemoveLastPoint()
+void vtkFlipFreeSegmentation::RemoveLastCorrection()
 {
   if (!this->Constraints->empty())
   {
@@ -64,7 +64,7 @@ void vtkFlipFreeSegmentation::RemoveLastPoint()
   }
 }
 
-void vtkFlipFreeSegmentation::RemoveAllPoints()
+void vtkFlipFreeSegmentation::RemoveAllCorrections()
 {
   if (!this->Constraints->empty())
   {

@@ -2,6 +2,7 @@
 #include "vtkFlipFreeSegmentation.h"
 
 #include "StageProperties.h"
+#include "UnusedSettings.h"
 
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/SegmentationSettings.h"
@@ -9,10 +10,12 @@
 #include "vtkCorrespondenceSearch.h"
 #include "vtkFlipFreeDeform.h"
 #include "vtkGMMFeatureFilter.h"
+#include "vtkNew.h"
 #include "vtkSeedRegionDiffusion.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #define FLIPFREE_STAGE vtkFlipFreeSegmentation
@@ -87,6 +90,26 @@ FlipFree::VolumeSegmentationSettings vtkFlipFreeSegmentation::GetSettings() cons
   settings.Method.Step = *this->Deform->Settings;
   settings.StartCenterOffset = Eigen::Vector3d(this->StartCenterOffset);
   return settings;
+}
+
+void vtkFlipFreeSegmentation::RequireNoUnusedStageSettings(const std::string& owner) const
+{
+  const std::pair<const char*, vtkAlgorithm*> stages[] = { { "GetDiffusion()", this->Diffusion },
+    { "GetFeature()", this->Feature }, { "GetSearch()", this->Search },
+    { "GetDeform()", this->Deform } };
+  for (const auto& [getter, stage] : stages)
+  {
+    FlipFree::RequireNoConnection(getter + owner, stage);
+  }
+  const std::string instead = "vtkFlipFreeSegmentation or vtkFlipFreeOrganGroup";
+  FlipFree::RequireNoSeed("GetDiffusion()" + owner, this->Diffusion.Get(), instead);
+  FlipFree::RequireNoSeed("GetFeature()" + owner, this->Feature.Get(), instead);
+  if (this->Search->GetThreshold() != vtkNew<vtkCorrespondenceSearch>()->GetThreshold())
+  {
+    throw FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
+      "GetSearch()" + owner + " has a Threshold, which is not used; set FeatureThreshold of " +
+        "GetFeature()" + owner + ", and leave Threshold at its default");
+  }
 }
 
 void vtkFlipFreeSegmentation::UseSettings(const FlipFree::VolumeSegmentationSettings& settings)

@@ -30,6 +30,7 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkInformationVector**
     request.Seed = FlipFree::SeedSphere{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   }
   request.Constraints = this->AllConstraints(inputs[2]);
+  this->RequireNoUnusedStageSettings();
   request.Settings = this->GetSettings();
   if (!this->State || !this->KeepForCorrections || !(this->State->Inputs == given))
   {

@@ -100,7 +100,7 @@ TEST(Corrections, AreTheSameByMethodsAndByThePort)
   filter->AddOutsidePoint(46.5, 71.5, 46.5);
   filter->AddBoundaryPoint(46.5, 46.5, 79.5);
   filter->AddSeed(13.5, 46.5, 46.5, 5);
-  EXPECT_EQ(filter->GetNumberOfAddedPoints(), 4);
+  EXPECT_EQ(filter->GetNumberOfCorrections(), 4);
   const std::vector<double> corrected = PlacesOf(filter);
   EXPECT_NE(corrected, free);
   EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
@@ -115,7 +115,7 @@ TEST(Corrections, AreTheSameByMethodsAndByThePort)
   EXPECT_EQ(PlacesOf(other), corrected);
   other->SetConstraintData(nullptr);
   EXPECT_EQ(PlacesOf(other), free);
-  filter->RemoveAllPoints();
+  filter->RemoveAllCorrections();
   EXPECT_EQ(PlacesOf(filter), free);
 }
 
@@ -128,10 +128,10 @@ TEST(Corrections, LeaveNoTraceWhateverIsKept)
   const std::vector<double> one = PlacesOf(filter);
   filter->AddInsidePoint(82, 46.5, 46.5);
   EXPECT_NE(PlacesOf(filter), one);
-  filter->RemoveLastPoint();
+  filter->RemoveLastCorrection();
   EXPECT_EQ(PlacesOf(filter), one);
-  filter->RemoveLastPoint();
-  filter->RemoveLastPoint();
+  filter->RemoveLastCorrection();
+  filter->RemoveLastCorrection();
   EXPECT_EQ(PlacesOf(filter), free);
   // What is kept is of one image.
   const auto image = ImageOfType(VTK_SHORT);
@@ -151,7 +151,7 @@ TEST(Corrections, ComeFromASourceEachInAnyOrder)
   filter->AddOutsidePoint(46.5, 71.5, 46.5);
   filter->AddSeed(13.5, 46.5, 46.5, 5);
   const std::vector<double> corrected = PlacesOf(filter);
-  filter->RemoveAllPoints();
+  filter->RemoveAllCorrections();
 
   const auto inside = SourceOf(vtkConstraintPointSource::INSIDE, 82, 46.5, 46.5);
   const auto outside = SourceOf(vtkConstraintPointSource::OUTSIDE, 46.5, 71.5, 46.5);

@@ -4,6 +4,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkConstraintPointSource.h"
+#include "vtkCorrespondenceSearch.h"
 #include "vtkFlipFreeOrganGroup.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkInformation.h"
@@ -264,6 +265,25 @@ TEST(OrganGroupFilter, RefusesByName)
   group = MakePair();
   group->GetParameters()->SetGuard(false);
   ExpectRefusal(group, { "switch Guard and Carving on" });
+  group = MakePair();
+  group->GetParameters()->SetSeedRadius(7);
+  ExpectRefusal(group,
+    { "GetParameters() has a seed sphere, which is not used; give it to AddOrgan()" });
+  group = MakePair();
+  group->GetParameters()->SetSeedCenter(0, 0, 7);
+  ExpectRefusal(group, { "GetParameters() has a seed sphere" });
+  group = MakePair();
+  group->GetParameters()->SetInputDataObject(group->GetInputDataObject(0, 0));
+  ExpectRefusal(group, { "GetParameters() has an input on port 0, which is not used" });
+  group = MakePair();
+  group->GetParameters()->AddInsidePoint(1, 2, 3);
+  ExpectRefusal(group, { "GetParameters() has points, which are not used" });
+  group = MakePair();
+  group->GetParameters()->GetFeature()->SetSeedCenter(1, 2, 3);
+  ExpectRefusal(group, { "GetFeature() of GetParameters() has a seed sphere, which is not used" });
+  group = MakePair();
+  group->GetParameters()->GetSearch()->SetThreshold(0.4);
+  ExpectRefusal(group, { "GetSearch() of GetParameters() has a Threshold, which is not used" });
   group = MakePair();
   group->SetLabelValue(255);
   ExpectRefusal(group, { "labels go up to 255, which leaves none for 'right'" });

@@ -63,7 +63,7 @@ TEST(ProvenanceField, IsOfTheSeedPointsAndParametersOfTheRun)
   // Those of the last run: points are taken back, though much is kept between runs.
   filter->SetKeepForCorrections(true);
   filter->Update();
-  filter->RemoveLastPoint();
+  filter->RemoveLastCorrection();
   ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
   text = TextOfField(filter->GetSurface(), "Provenance");
   EXPECT_EQ(text.find("inside"), std::string::npos);

@@ -205,7 +205,7 @@ TEST_F(Questions, AskForWhatWasLeftOut)
   EXPECT_EQ(this->Filter->GetQuestions()->GetNumberOfRows(), 0);
   EXPECT_GT(this->Milliliters(), 140);
   // What a run has kept asks the same questions again, once the answer is taken back.
-  this->Filter->RemoveAllPoints();
+  this->Filter->RemoveAllCorrections();
   this->Filter->Update();
   this->ExpectTheLobe();
 }

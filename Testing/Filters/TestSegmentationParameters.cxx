@@ -1,6 +1,7 @@
 // The stages own the parameters of the method, and the composite obeys them.
 #include "vtkConstraintPointSource.h"
 #include "vtkCorrespondenceSearch.h"
+#include "vtkErrorCode.h"
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkGMMFeatureFilter.h"
@@ -228,6 +229,49 @@ TEST_F(StageParameters, OfAStageMakeTheCompositeExecuteAgain)
   const vtkMTimeType time = this->Segmentation->GetMTime();
   this->Segmentation->SetSearch(this->Segmentation->GetSearch());
   EXPECT_EQ(this->Segmentation->GetMTime(), time);
+}
+
+TEST_F(StageParameters, WithoutEffectAreRefused)
+{
+  const auto expectRefusal = [this](const std::string& text, auto&& set, auto&& unset)
+  {
+    set();
+    ExpectRefusal(this->Segmentation, { text });
+    EXPECT_EQ(this->Segmentation->GetErrorCode(),
+      vtkErrorCode::UserError + static_cast<int>(ErrorCode::OutOfRange));
+    EXPECT_EQ(this->Segmentation->GetSurface()->GetNumberOfPoints(), 0);
+    unset();
+    EXPECT_EQ(ErrorOfUpdate(this->Segmentation), "0 errors");
+  };
+  const auto expectSeedRefused = [&](const std::string& getter, auto* stage)
+  {
+    const std::string text = getter + " has a seed sphere, which is not used";
+    expectRefusal(
+      text, [&] { stage->SetSeedCenter(0, 0, 1); }, [&] { stage->SetSeedCenter(0, 0, 0); });
+    expectRefusal(
+      text, [&] { stage->SetSeedRadius(9); }, [&] { stage->SetSeedRadius(10); });
+  };
+  expectSeedRefused("GetDiffusion()", this->Segmentation->GetDiffusion());
+  expectSeedRefused("GetFeature()", this->Segmentation->GetFeature());
+  const std::map<std::string, vtkAlgorithm*> stages{
+    { "GetDiffusion()", this->Segmentation->GetDiffusion() },
+    { "GetFeature()", this->Segmentation->GetFeature() },
+    { "GetSearch()", this->Segmentation->GetSearch() },
+    { "GetDeform()", this->Segmentation->GetDeform() },
+  };
+  vtkNew<Filter> source;
+  for (const auto& one : stages)
+  {
+    vtkAlgorithm* const stage = one.second;
+    expectRefusal(
+      one.first + " has an input on port 0, which is not used",
+      [&] { stage->SetInputConnection(source->GetOutputPort()); },
+      [&] { stage->SetInputConnection(nullptr); });
+  }
+  vtkCorrespondenceSearch* const search = this->Segmentation->GetSearch();
+  expectRefusal(
+    "GetSearch() has a Threshold, which is not used", [&] { search->SetThreshold(0.5); },
+    [&] { search->SetThreshold(vtkNew<vtkCorrespondenceSearch>()->GetThreshold()); });
 }
 
 // As the kernels have it.

@@ -448,6 +448,46 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItself)
   }
 }
 
+TEST(EmbeddingGuard, TestsWhatItHasNotProven)
+{
+  const TestSphere sphere(4);
+  EmbeddingGuard guard(sphere.Mesh);
+  PointList motion = 0.1 * Outward(sphere);
+  const PointList ended = guard.Limit(sphere.Points(), motion, SerialFor, NeverStop).Positions;
+  PointList crossed = ended;
+  crossed.row(5) += 3 * (Center - crossed.row(5));
+  const PointList rest = PointList::Zero(ended.rows(), 3);
+  const auto messageAt = [&](const PointList& points)
+  {
+    PointList displacements = rest;
+    return MessageOf([&] { guard.Limit(points, displacements, SerialFor, NeverStop); });
+  };
+  EXPECT_NE(messageAt(crossed).find("intersects itself"), std::string::npos);
+  // A step that is given up proves nothing of where it began.
+  PointList inward = -2 * Outward(sphere);
+  guard.Limit(crossed, inward, SerialFor, [](double) { return false; });
+  EXPECT_NE(messageAt(crossed).find("intersects itself"), std::string::npos);
+  EXPECT_EQ(messageAt(ended), "accepted");
+}
+
+TEST(EmbeddingGuard, GivesTheSameStepsAsNewGuards)
+{
+  std::mt19937 random(11);
+  const TestSphere sphere(5);
+  EmbeddingGuard guard(sphere.Mesh);
+  PointList points = sphere.Points();
+  for (int step = 0; step < 5; ++step)
+  {
+    PointList motion = WhiteNoise(points.rows(), 0.5, random);
+    motion.topRows(points.rows() / 2).setZero();
+    PointList same = motion;
+    const PointList to = guard.Limit(points, motion, SerialFor, NeverStop).Positions;
+    EXPECT_EQ(EmbeddingGuard(sphere.Mesh).Limit(points, same, SerialFor, NeverStop).Positions, to);
+    points = to;
+  }
+  EXPECT_NE(points, sphere.Points());
+}
+
 // Corners alone hold this vertex back: no pair of triangles is seen to move.
 TEST(EmbeddingGuard, RefusesAStartThatIntersectsItselfWhereCornersStopTheMotion)
 {

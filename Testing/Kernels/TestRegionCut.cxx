@@ -1,7 +1,9 @@
 // Proposals and margins against the costs of all cuts; the parts that a cut severs, on phantoms.
+#include "Evidence/CorrectionCut.h"
 #include "Evidence/RegionCut.h"
 #include "Evidence/SeveredParts.h"
 #include "ExampleVolumes.h"
+#include "Image/BallInside.h"
 
 #include <gtest/gtest.h>
 
@@ -223,6 +225,32 @@ TEST(RegionGrid, HasLargerBlocksOnlyInALargeMask)
   EXPECT_GT(larger.VoxelsPerBlock(), 1U);
   EXPECT_LE(mask.Count(), MostBlocks * larger.VoxelsPerBlock());
   EXPECT_LE(larger.VoxelsPerBlock(), 8U);
+}
+
+// Corrections cut a part of the image.
+TEST(CorrectionGrid, IsThatOfAPartWithTheWholeMask)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 170, 170, 20 } };
+  BitMask mask(geometry);
+  for (int k = 6; k < 13; ++k)
+  {
+    for (int j = 10; j < 160; ++j)
+    {
+      for (int i = 10; i < 160; ++i)
+      {
+        mask.Insert(geometry.Offset(i, j, k));
+      }
+    }
+  }
+  const SeedSphere seed{ { 80, 80, 9 }, 3 };
+  ASSERT_EQ(BlockGrid(geometry, RegionBlockSize(BallInside(mask, seed).Radius)).VoxelsPerBlock(),
+    1U);
+  const BlockGrid whole = CorrectionGrid(mask, seed);
+  EXPECT_GT(whole.VoxelsPerBlock(), 1U);
+  const BitMask part = mask.Cropped({ { { 4, 4, 4 } }, { { 166, 166, 16 } } });
+  ASSERT_EQ(part.Count(), mask.Count());
+  EXPECT_EQ(CorrectionGrid(part, seed).Factor, whole.Factor);
 }
 
 // The blurred rim of the neck is no edge, and not darker tissue.

@@ -1,5 +1,8 @@
 """flipfree.segment_organs: several organs together."""
 
+import copy
+import functools
+import pickle
 import unittest
 
 import flipfree
@@ -7,6 +10,7 @@ import numpy
 from example import RADIUS, SEED, abdomen, image, surface_of, truth
 
 SPLEEN = abdomen().seeds[flipfree.Organ.SPLEEN]
+SPLEEN_RIM = numpy.add(SPLEEN[0], (0, 0, SPLEEN[1] + 8)).tolist()
 
 
 def both(**parameters):
@@ -37,9 +41,32 @@ class Organs(unittest.TestCase):
             beside = flipfree.segment_organs(image(), {"spleen": SPLEEN}, fixed=[surface], resolution=16)
             self.assertFalse(numpy.any((beside.labels == 1) & (free.labels == 1)))
 
-    def test_are_corrected_by_another_call(self):
-        with self.assertRaisesRegex(flipfree.FlipFreeError, r"call segment_organs\(\) again with the points"):
-            both()["liver"].corrected(inside=[SEED])
+    def test_are_corrected_together(self):
+        outside, boundary = (60, 84, 168), (70, 84, 168)
+        first = both()
+        organs = first.corrected("liver", outside=[outside]).corrected("spleen", boundary=[SPLEEN_RIM])
+        at_once = flipfree.segment_organs(
+            image(), {"liver": {"seed": SEED, "radius": RADIUS, "outside": [outside]},
+                      "spleen": {"seed": SPLEEN[0], "radius": SPLEEN[1], "boundary": [SPLEEN_RIM]}}, resolution=16)
+        self.assertEqual([len(organs[name].constraints) for name in organs], [1, 1])
+        numpy.testing.assert_array_equal(organs.labels, at_once.labels)
+        for name in organs:
+            numpy.testing.assert_array_equal(organs[name].points, at_once[name].points)
+        # One alone is that of all.
+        alone = first["liver"].corrected(outside=[outside]).corrected(boundary=[boundary])
+        group = first.corrected("liver", outside=[outside]).corrected("liver", boundary=[boundary])
+        self.assertEqual(len(alone.constraints), 2)
+        numpy.testing.assert_array_equal(alone.points, group["liver"].points)
+        self.assertEqual(len(first["liver"].constraints), 0)
+
+    def test_copies_are_not_corrected(self):
+        organs = both()
+        for correct in (copy.copy(organs["liver"]).corrected,
+                        functools.partial(pickle.loads(pickle.dumps(organs)).corrected, "liver")):
+            with self.assertRaisesRegex(flipfree.FlipFreeError, "not a copy of it; call the function again with the points"):
+                correct(inside=[SEED])
+        with self.assertRaises(KeyError):
+            organs.corrected("gut", inside=[SEED])
 
     def test_what_is_wrong_is_named(self):
         for organs, kind, words in (
@@ -52,6 +79,7 @@ class Organs(unittest.TestCase):
                 ({"liver": ((1, 2), 5)}, ValueError, "seed"),
                 ({}, flipfree.SegmentationError, "there is no organ"),
                 ({"liver": (SEED, RADIUS), "gut": (SEED, 5)}, flipfree.SegmentationError, "overlap"),
+                ({"1": (SEED, RADIUS), 1: SPLEEN}, flipfree.SegmentationError, "two organs are named '1'"),
                 ({"liver": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "'liver': the seed"),
                 ({"Levels": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "'Levels': the seed")):
             with self.subTest(words), self.assertRaisesRegex(kind, words):

@@ -84,6 +84,10 @@ class Questions(unittest.TestCase):
         with self.assertWarnsRegex(flipfree.FlipFreeWarning, "^'ball': Is the part of"):
             organs = flipfree.segment_organs(voxels, {"ball": (SEED, RADIUS)}, spacing=SPACING, resolution=16)
         self.assertEqual(len(organs["ball"].questions), 1)
+        answered = organs.answered("ball", {0: False})
+        self.assertEqual(answered["ball"].questions, ())
+        self.assertLess(answered["ball"].volume, organs["ball"].volume - 20)
+        numpy.testing.assert_array_equal(organs["ball"].answered({0: False}).points, answered["ball"].points)
 
     def test_vessels_have_none(self):
         vessel = flipfree.trace(flipfree.phantom("vessel").image, [(13.3, 44.6, 44.5), (82, 50.4, 37.6)])

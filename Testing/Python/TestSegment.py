@@ -139,7 +139,7 @@ class Pickles(unittest.TestCase):
         again = pickle.loads(pickle.dumps(vessel))
         self.assert_same(again, vessel)
         self.assertEqual(len(again.branches), 1)
-        numpy.testing.assert_array_equal(again.branches[0]["radius"], vessel.branches[0]["radius"])
+        numpy.testing.assert_array_equal(again.branches[0].radius, vessel.branches[0].radius)
 
     def test_an_image_keeps_its_geometry(self):
         volume = flipfree.image_from_array(numpy.arange(24, dtype="int16").reshape(2, 3, 4), (0.1, 1 / 3, 3),

@@ -47,12 +47,12 @@ class TestTrace(unittest.TestCase):
         self.assertEqual(vessel.points.shape[1], 3)
         self.assertGreater(flipfree.evaluate(vessel, self.phantom.label_map).dice, 0.9)
         (branch,) = vessel.branches
-        self.assertEqual(len(branch["points"]), len(branch["radius"]))
-        self.assertTrue(np.all(np.diff(branch["length"]) > 0))
-        self.assertAlmostEqual(float(np.median(branch["radius"])), 4, delta=0.4)
-        np.testing.assert_allclose(branch["points"][[0, -1]].round(-1).sum(), np.round(self.points, -1).sum(), atol=30)
-        self.assertEqual(branch["parent"], -1)
-        self.assertEqual(branch["points"].shape, (len(branch["radius"]), 3))
+        self.assertEqual(len(branch.points), len(branch.radius))
+        self.assertTrue(np.all(np.diff(branch.length) > 0))
+        self.assertAlmostEqual(float(np.median(branch.radius)), 4, delta=0.4)
+        np.testing.assert_allclose(branch.points[[0, -1]].round(-1).sum(), np.round(self.points, -1).sum(), atol=30)
+        self.assertEqual(branch.parent, -1)
+        self.assertEqual(branch.points.shape, (len(branch.radius), 3))
         self.assertEqual(len(vessel.stage_seconds), 4)
         self.assertTrue(0.9 < vessel.support <= 1, vessel.support)
         self.assertTrue(0.6 < vessel.confidence <= vessel.support, vessel.confidence)
@@ -66,11 +66,11 @@ class TestTrace(unittest.TestCase):
             self.assertRegex(str(error), r"^centerline: .*pip install vtk.*\.branches")
             self.skipTest("VTK is not installed")
         (branch,) = self.vessel.branches
-        self.assertEqual((line.GetNumberOfLines(), line.GetNumberOfPoints()), (1, len(branch["points"])))
+        self.assertEqual((line.GetNumberOfLines(), line.GetNumberOfPoints()), (1, len(branch.points)))
         last = line.GetNumberOfPoints() - 1
-        self.assertEqual(line.GetPoint(last), tuple(branch["points"][-1]))
-        self.assertEqual(line.GetPointData().GetArray("Radius").GetTuple1(last), branch["radius"][-1])
-        self.assertEqual(line.GetPointData().GetArray("ArcLength").GetTuple1(last), branch["length"][-1])
+        self.assertEqual(line.GetPoint(last), tuple(branch.points[-1]))
+        self.assertEqual(line.GetPointData().GetArray("Radius").GetTuple1(last), branch.radius[-1])
+        self.assertEqual(line.GetPointData().GetArray("ArcLength").GetTuple1(last), branch.length[-1])
         self.assertEqual(line.GetCellData().GetArray("Parent").GetTuple1(0), -1)
 
     @needs_wheel
@@ -88,9 +88,9 @@ class TestTrace(unittest.TestCase):
             reader.Update()
             line = reader.GetOutput()
         (branch,) = self.vessel.branches
-        np.testing.assert_array_equal(vtk_to_numpy(line.GetPoints().GetData()), branch["points"])
+        np.testing.assert_array_equal(vtk_to_numpy(line.GetPoints().GetData()), branch.points)
         for name, column in (("Radius", "radius"), ("ArcLength", "length")):
-            np.testing.assert_array_equal(vtk_to_numpy(line.GetPointData().GetArray(name)), branch[column])
+            np.testing.assert_array_equal(vtk_to_numpy(line.GetPointData().GetArray(name)), getattr(branch, column))
         self.assertEqual(line.GetCellData().GetArray("Parent").GetTuple1(0), -1)
         with self.assertRaisesRegex(flipfree.FileError, "Use .vtp"):
             flipfree.write_centerline(self.vessel, "line.stl")

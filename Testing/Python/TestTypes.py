@@ -23,7 +23,7 @@ liver = flipfree.segment("ct.nii.gz", seed=(1, 2, 3.5), radius=26, levels=2, gua
 array = flipfree.segment(numpy.zeros((3, 4, 5)), [1, 2, 3], 26, spacing=(1, 1, 1), progress=print)
 again = flipfree.segment(vtkImageData(), (1, 2, 3), 26, start=liver, preset="naive", progress=True)
 vessel: flipfree.Vessel = flipfree.trace("ct.nii.gz", [(1, 2, 3), (4, 5, 6.5)], radius=4, levels=1)
-way = flipfree.trace(vtkImageData(), numpy.zeros((2, 3)), progress=print).branches[0]["points"]
+way = flipfree.trace(vtkImageData(), numpy.zeros((2, 3)), progress=print).branches[0].points
 vertices: int = liver.points.shape[0]
 score: float = flipfree.evaluate(liver, "truth.nii.gz", reference_label=6).dice
 volume = flipfree.phantom("cube", dimensions=(20, 20, 20), noise_standard_deviation=0).image

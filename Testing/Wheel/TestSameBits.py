@@ -63,10 +63,10 @@ def vessels():
         found[f"vessel {name}, faces"] = vessel.faces
         found[f"vessel {name}, labels"] = numpy.array(vessel.labels)
         found[f"vessel {name}, end"] = vessel.stop_reason, vessel.self_intersections, repr(vessel)
-        found[f"vessel {name}, parents"] = [branch["parent"] for branch in vessel.branches], "tree"
+        found[f"vessel {name}, parents"] = [branch.parent for branch in vessel.branches], "tree"
         for number, branch in enumerate(vessel.branches):
             for column in ("points", "radius", "length"):
-                found[f"vessel {name}, branch {number}, {column}"] = numpy.array(branch[column])
+                found[f"vessel {name}, branch {number}, {column}"] = numpy.array(getattr(branch, column))
         for column, values in vessel.iterations.items():
             if not column.endswith("Seconds"):
                 found[f"vessel {name}, {column}"] = numpy.array(values)

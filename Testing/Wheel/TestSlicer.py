@@ -310,7 +310,7 @@ class Vessels(SlicerTest):
         line = found.centerlineNode
         self.assertEqual(line.GetName(), "vessel centerline")
         points = vtk_to_numpy(line.GetPolyData().GetPoints().GetData())
-        numpy.testing.assert_allclose(points * [-1, -1, 1], found.result.branches[0]["points"])
+        numpy.testing.assert_allclose(points * [-1, -1, 1], found.result.branches[0].points)
         again = ours.trace(volume, ends, found.segmentationNode)
         self.assertIs(again.centerlineNode, line)
         seed = self.markups("Fiducial", "F", self.ras(20, 20, 20), label="seed 6")

@@ -26,7 +26,7 @@ volume = flipfree.phantom("cube", dimensions=(20, 20, 20), noise_standard_deviat
 again = flipfree.segment(volume, (1, 2, 3), 26, start=liver, preset="naive", progress=True)
 flipfree.write_surface(again, "again.stl")
 vessel: flipfree.Vessel = flipfree.trace(volume, [(1, 2, 3), (4, 5, 6.5)], radius=4, levels=1)
-way = flipfree.trace("ct.nii.gz", numpy.zeros((2, 3)), progress=True).branches[0]["points"]
+way = flipfree.trace("ct.nii.gz", numpy.zeros((2, 3)), progress=True).branches[0].points
 flipfree.write_centerline(vessel, "line.vtp")
 vertices: int = liver.points.shape[0]
 score: float = flipfree.evaluate(liver, "truth.nii.gz", reference_label=6).dice

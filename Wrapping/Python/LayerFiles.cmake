@@ -2,6 +2,7 @@
 # and in Wheel.
 set(FLIPFREE_LAYER_FILES
   _arrays.py
+  _branches.py
   _coordinates.py
   _corrections.py
   _boundary_found.py

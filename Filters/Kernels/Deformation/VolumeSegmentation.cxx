@@ -312,7 +312,7 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     RequireCertified(organ);
   }
   // The first run and the consensus know of no constraints, so of what these moved they say
-  // nothing.
+  // nothing. The sphere counts as it is given, which ranks results from too large ones better, too.
   const bool isFree = constraints.empty();
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
     this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,

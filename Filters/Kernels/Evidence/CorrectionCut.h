@@ -44,7 +44,8 @@ struct CorrectionEvidence
   Modality Kind; ///< not Automatic
 };
 
-/// The blocks of the cut. A part of a mask has the same blocks if it begins with one.
+/// The blocks of the cut. A part of a mask has the same blocks if it holds all of its voxels and
+/// begins with a block.
 BlockGrid CorrectionGrid(const BitMask& mask, const SeedSphere& seed);
 
 /// The voxels that change, those that leave the mask first, then those that enter it. Returns false

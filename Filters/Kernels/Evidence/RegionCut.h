@@ -20,8 +20,9 @@ namespace FlipFree
 /// millimeters long.
 double RegionBlockSize(double radius);
 
-/// A mask has the volume of so many blocks at most. More of them decide no better, but take longer:
-/// a liver would have 400,000, and a leak through the body millions.
+/// A mask has the volume of so many blocks at most. A liver of fine voxels would have 400,000 of
+/// the usual ones, and a leak through the body millions, which takes longer: on 115 organs and
+/// structures, the mean Dice score stays, and single ones change by up to 0.06.
 constexpr std::size_t MostBlocks = 100000;
 
 /// The blocks of the cut of a mask: larger ones where there would be too many.

@@ -128,6 +128,8 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   report.IsGuarded = step.IsScaled();
   report.Guarded =
     static_cast<int>(std::count(report.IsGuarded.begin(), report.IsGuarded.end(), 1));
+  // Where its last step ended, the surface is known to be embedded: what moved was proven to be
+  // apart until there, and what was at rest had been tested, or proven by the step before.
   if (this->Embedded.rows() != points.rows() || this->Embedded != points)
   {
     this->RequireEmbeddedAtRest(step.Path(), parallelFor);

@@ -72,7 +72,8 @@ public:
   /// (SinglePrecision.h). `monitor` is asked between passes; if it returns false, the displacements
   /// become zero. Throws Error for a wrong number of rows, a number that is not finite, a
   /// coordinate beyond 1e30 mm, and, naming the first pair of faces, if the surface intersects
-  /// itself at `points`.
+  /// itself at `points`. That is not tested again where the last step ended, which the guard
+  /// remembers; so it must not be called from two threads at once.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor);
 
@@ -92,7 +93,7 @@ private:
   FaceList Faces;
   std::vector<std::array<int, 4>> Neighbors;
   CandidatePairs Candidates;
-  PointList Embedded; // where the last step that was certified ended
+  PointList Embedded; // where the last certified step ended
   PointList Obstacles = PointList(0, 3);
   std::vector<VertexRange> Ranges; // of the obstacles
 };

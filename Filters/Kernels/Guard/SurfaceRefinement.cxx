@@ -85,7 +85,7 @@ struct FineFaces
 {
   const RefinedMesh& Refined;
   const TriangleList& Triangles;
-  EmbeddingGuard& Guard;
+  const EmbeddingGuard& Guard;
 };
 
 // The refined surface wherever its old vertices are.

@@ -93,7 +93,7 @@ class SegmentationAlgorithm:
         self, image: vtkImageData, constraints: tuple[Constraint, ...], tell: Progress | None
     ) -> Segmentation:
         self.settings.SetInputData(image)
-        self.settings.RemoveAllPoints()
+        self.settings.RemoveAllCorrections()
         for constraint in constraints:
             _add(self.settings, constraint)
         update(self.settings, SegmentationError, tell, names=NAMES)
@@ -117,8 +117,10 @@ class SegmentationAlgorithm:
 class GroupAlgorithm:
     """One run of several organs."""
 
-    def __init__(self) -> None:
+    def __init__(self, settings: vtkFlipFreeSegmentation | None = None) -> None:
         self._group = vtkFlipFreeOrganGroup()
+        if settings is not None:
+            self._group.SetParameters(settings)
         self.settings = self._group.GetParameters()
         self._constraints: list[tuple[Constraint, ...]] = []
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 
+from ._branches import Branch
 from ._image_arrays import voxels_in
 from ._result import GIVEN, Result, VesselMeasures
 
@@ -91,11 +92,8 @@ class Vessel(VesselMeasures, Segmentation):
     """A poly line per branch, with the point arrays `Radius` and `ArcLength`, in mm."""
 
     @property
-    def branches(self) -> list[dict[str, Any]]:
-        """Per branch the `points` (n, 3) of its center, and `radius` (n,) and `length` (n,) up to each, in mm.
-
-        `parent` is the index of the branch that it begins on, -1 for the first.
-        """
+    def branches(self) -> list[Branch]:
+        """The centerline as numpy arrays. Of a tree, each branch but the first begins on another."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
         points = vtk_to_numpy(self.centerline.GetPoints().GetData())
@@ -105,6 +103,6 @@ class Vessel(VesselMeasures, Segmentation):
         parents = vtk_to_numpy(self.centerline.GetCellData().GetArray("Parent")).tolist()
         offsets = vtk_to_numpy(self.centerline.GetLines().GetOffsetsArray())
         return [
-            {"points": points[a:b], "radius": radius[a:b], "length": length[a:b], "parent": parent}
+            Branch(points[a:b], radius[a:b], length[a:b], parent)
             for a, b, parent in zip(offsets[:-1], offsets[1:], parents)
         ]

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ._questions import Question
 
 Method = TypeVar("Method", bound=Callable[..., Any])
+Again = TypeVar("Again", bound=Callable[..., Any])
 
 # The values of the array `Constraint`.
 OUTSIDE, INSIDE, BOUNDARY, SEED = range(4)
@@ -121,7 +122,7 @@ class Correctable:
         seeds: Seeds = (),
         progress: ProgressOption = None,
     ) -> Self:
-        """The segmentation with these points besides those that it has already; see segment() and trace().
+        """The segmentation with these points besides those that it has already; see segment(), segment_organs() and trace().
 
         This result stays as it is.
 
@@ -151,13 +152,18 @@ class Correctable:
         return self._with(answers_of(self.questions, answers), progress)
 
     def _with(self, more: tuple[Constraint, ...], progress: ProgressOption) -> Self:
-        if self._again is None:
-            raise FlipFreeError(
-                "corrected: only what segment() or trace() has returned can be corrected, not a copy of it; "
-                "of several organs, call segment_organs() again with the points"
-            )
-        result: Self = self._again(self.constraints + more, progress)
+        result: Self = again_of(self._again)(self.constraints + more, progress)
         return result
+
+
+def again_of(again: Again | None) -> Again:
+    """What segments again; raises FlipFreeError for a copy, which has lost it."""
+    if again is None:
+        raise FlipFreeError(
+            "only what segment(), segment_organs() or trace() has returned can be corrected, "
+            "not a copy of it; call the function again with the points"
+        )
+    return again
 
 
 def _items(name: str, values: Any) -> Iterable[Any]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import array_from_image
 from ._backend import GROUP_PARAMETERS, GroupAlgorithm
 from ._boundary_found import require_boundary
-from ._corrections import Constraint, constraints_of
+from ._corrections import Constraint, Points, Seeds, again_of, answers_of, constraints_of
 from ._parameters import described, floats, radius_of, set_parameters, signature_with, suggestion
 from ._progress import progress_of
 from ._segmentation import Segmentation
@@ -25,14 +27,33 @@ KEYS = ("seed", "radius", "inside", "outside", "boundary", "seeds")
 class SegmentedOrgans(Mapping[str, Segmentation]):
     """What segment_organs() has found: a Segmentation by the name of each organ.
 
-    The label map of each is that of all.
+    The label map of each is that of all. corrected() and answered() segment all organs again, with more points
+    of one of them, so that they still do not meet; those of a single organ do the same, and return that one.
     """
 
-    def __init__(self, organs: dict[str, Segmentation], label_map: Image, first: int) -> None:
-        self._organs = organs
+    def __init__(
+        self,
+        organs: dict[str, Segmentation],
+        label_map: Image,
+        first: int,
+        again: Callable[[int, tuple[Constraint, ...], ProgressOption], SegmentedOrgans],
+    ) -> None:
+        def of_one(
+            name: str, number: int, points: tuple[Constraint, ...], progress: ProgressOption
+        ) -> Segmentation:
+            return again(number, points, progress)[name]
+
+        self._organs = {
+            name: replace(organ, _again=partial(of_one, name, number))
+            for number, (name, organ) in enumerate(organs.items())
+        }
         self._first = first
+        self._again: Callable[..., SegmentedOrgans] | None = again
         self.label_map = label_map
         """Has the image's geometry; label_value inside the first organ, one more inside each next."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_again": None}  # as that of each organ
 
     def __getitem__(self, name: str) -> Segmentation:
         return self._organs[name]
@@ -50,6 +71,31 @@ class SegmentedOrgans(Mapping[str, Segmentation]):
     def labels(self) -> npt.NDArray[Any]:
         """The voxels of the label map as labels[k, j, i]."""
         return array_from_image(self.label_map)
+
+    def corrected(
+        self,
+        name: str,
+        *,
+        inside: Points = (),
+        outside: Points = (),
+        boundary: Points = (),
+        seeds: Seeds = (),
+        progress: ProgressOption = None,
+    ) -> SegmentedOrgans:
+        """All organs with these points of one of them, besides those that they have already."""
+        return self._with(name, constraints_of(inside, outside, boundary, seeds), progress)
+
+    def answered(
+        self, name: str, answers: Mapping[int, bool], progress: ProgressOption = None
+    ) -> SegmentedOrgans:
+        """All organs with answers to some of the questions of one of them, by their numbers, from 0 on."""
+        return self._with(name, answers_of(self[name].questions, answers), progress)
+
+    def _with(
+        self, name: str, more: tuple[Constraint, ...], progress: ProgressOption
+    ) -> SegmentedOrgans:
+        points = self[name].constraints + more
+        return again_of(self._again)(list(self).index(name), points, progress)
 
     def label_of(self, name: str) -> int:
         """The value of an organ in the label map."""
@@ -71,6 +117,7 @@ def segment_organs(
     """Segments several organs together: their surfaces never meet, and no voxel is in two of them.
 
     Each organ is the others' background: its seed and inside points are outside points of all others.
+    corrected() and answered() of the result add points of one organ.
 
     image, series, spacing, origin, direction, progress
         As for segment().
@@ -91,6 +138,9 @@ def segment_organs(
     >>> organs = flipfree.segment_organs(phantom.image, seeds)
     >>> organs, organs["liver"].self_intersections, organs.label_of("spleen")
     (<SegmentedOrgans: liver, spleen>, 0, 2)
+    >>> corrected = organs.corrected("liver", outside=[(60, 83, 167)])
+    >>> [len(corrected[name].constraints) for name in corrected]
+    [1, 0]
     >>> flipfree.segment_organs(phantom.image, {"a": ((99.75, 83.75, 167), 28), "b": ((100, 84, 180), 9)})
     Traceback (most recent call last):
       ...
@@ -98,23 +148,36 @@ def segment_organs(
     """
     from ._segment import _image_of  # not in its type stub
 
-    algorithm = GroupAlgorithm()
-    set_parameters("segment_organs", algorithm.settings, GROUP_PARAMETERS, parameters)
+    settings = GroupAlgorithm().settings
+    set_parameters("segment_organs", settings, GROUP_PARAMETERS, parameters)
     if not isinstance(organs, Mapping):
         raise TypeError(
             f"organs: a dict of seeds by names is needed, {{'liver': (seed, radius)}}, not {organs!r:.80}"
         )
-    for name, organ in organs.items():
-        center, radius, constraints = _organ_of(name, organ)
-        algorithm.add_organ(str(name), center, radius, constraints)
-    for surface in fixed:
-        algorithm.add_fixed(surface)
+    given = [(str(name), *_organ_of(name, organ)) for name, organ in organs.items()]
+    surfaces = tuple(fixed)
     volume = _image_of(image, series, spacing, origin, direction, progress)
-    with progress_of(progress, "segmenting") as tell:
-        found, label_map = algorithm.run(volume, tell)
-    for name, result in zip(organs, found):
-        require_boundary(result, str(name))
-    return SegmentedOrgans(dict(zip(map(str, organs), found)), label_map, algorithm.first_label())
+
+    def run(points: list[tuple[Constraint, ...]], progress: ProgressOption) -> SegmentedOrgans:
+        algorithm = GroupAlgorithm(settings)
+        for (name, center, radius, _), of_organ in zip(given, points):
+            algorithm.add_organ(name, center, radius, of_organ)
+        for surface in surfaces:
+            algorithm.add_fixed(surface)
+        with progress_of(progress, "segmenting") as tell:
+            found, label_map = algorithm.run(volume, tell)
+
+        def again(
+            number: int, of_organ: tuple[Constraint, ...], progress: ProgressOption
+        ) -> SegmentedOrgans:
+            return run([*points[:number], of_organ, *points[number + 1 :]], progress)
+
+        for (name, *_), result in zip(given, found):
+            require_boundary(result, name)
+        names = [name for name, *_ in given]
+        return SegmentedOrgans(dict(zip(names, found)), label_map, algorithm.first_label(), again)
+
+    return run([points for *_, points in given], progress)
 
 
 def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constraint, ...]]:

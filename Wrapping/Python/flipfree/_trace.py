@@ -58,10 +58,8 @@ def trace(
     >>> phantom = flipfree.phantom("vessel")
     >>> aorta = flipfree.trace(phantom.image, [(13.3, 44.6, 44.5), (82, 50.4, 37.6)])
     >>> (branch,) = aorta.branches
-    >>> branch["points"].shape == (len(branch["radius"]), 3)
-    True
-    >>> round(float(branch["radius"].mean()), 1), round(float(branch["length"][-1]))    # mm
-    (4.2, 99)
+    >>> branch, branch.points.shape == (len(branch.radius), 3)
+    (<Branch: 99 mm long, radius 4.2 mm>, True)
     >>> aorta.labels.shape, aorta.self_intersections
     ((96, 96, 96), 0)
     >>> thicker = aorta.corrected(inside=[(47.5, 47.5, 62.8)])

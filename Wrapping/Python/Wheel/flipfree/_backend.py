@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
+from ._branches import Branch
 from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
@@ -148,8 +149,8 @@ class SegmentationAlgorithm:
 class GroupAlgorithm:
     """One run of several organs."""
 
-    def __init__(self) -> None:
-        self.settings = _kernels.SegmentationSettings("default")
+    def __init__(self, settings: Any = None) -> None:
+        self.settings = _kernels.SegmentationSettings("default") if settings is None else settings
         self._organs: list[tuple[str, list[float], float, tuple[Constraint, ...]]] = []
         self._fixed: list[Surface] = []
 
@@ -227,7 +228,7 @@ class VesselAlgorithm:
         return Vessel(
             **_found(answer, image, certified=True),
             label_map=_labels_of(answer, image),
-            branches=answer["branches"],
+            branches=[Branch(**branch) for branch in answer["branches"]],
             support=answer["support"],
             confidence=answer["confidence"],
         )

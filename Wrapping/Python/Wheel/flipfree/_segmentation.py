@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from ._branches import Branch
 from ._errors import FlipFreeError
 from ._faces import Faces
 from ._image import Image
@@ -148,11 +149,8 @@ class Segmentation(Result):
 class Vessel(VesselMeasures, Segmentation):
     """A vessel, or a tree of vessels. Coordinates are the image's physical millimeters."""
 
-    branches: list[dict[str, Any]] = field(default_factory=list)
-    """Per branch the `points` (n, 3) of its center, and `radius` (n,) and `length` (n,) up to each, in mm.
-
-    `parent` is the index of the branch that it begins on, -1 for the first.
-    """
+    branches: list[Branch] = field(default_factory=list)
+    """The centerline as numpy arrays. Of a tree, each branch but the first begins on another."""
 
     @property
     def centerline(self) -> Any:

@@ -158,11 +158,11 @@ def _vtp_lines(vessel: Vessel) -> bytes:
     import numpy
 
     points, radii, lengths = (
-        numpy.concatenate([branch[name] for branch in vessel.branches])
+        numpy.concatenate([getattr(branch, name) for branch in vessel.branches])
         for name in ("points", "radius", "length")
     )
-    ends = numpy.cumsum([0, *(len(branch["points"]) for branch in vessel.branches)])
-    parents = numpy.array([branch["parent"] for branch in vessel.branches], numpy.int32)
+    ends = numpy.cumsum([0, *(len(branch.points) for branch in vessel.branches)])
+    parents = numpy.array([branch.parent for branch in vessel.branches], numpy.int32)
     written: bytes = _kernels.vtp_bytes(
         points,
         numpy.arange(len(points), dtype=numpy.int32),

@@ -8,6 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
+from ._branches import Branch
 from ._image import Image
 from ._segmentation import Surface
 
@@ -45,16 +46,16 @@ def polydata_of(mesh: Surface, surface: Any = None) -> Any:
     return surface
 
 
-def polylines_of(branches: list[dict[str, Any]]) -> Any:
+def polylines_of(branches: list[Branch]) -> Any:
     """The centerline of a vessel as a vtkPolyData, with the arrays of the toolkit's filter."""
     import numpy
 
     line, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
     joined = {
-        name: numpy.concatenate([branch[name] for branch in branches])
+        name: numpy.concatenate([getattr(branch, name) for branch in branches])
         for name in ("points", "radius", "length")
     }
-    ends = numpy.cumsum([0, *(len(branch["points"]) for branch in branches)])
+    ends = numpy.cumsum([0, *(len(branch.points) for branch in branches)])
     points.SetData(numpy_to_vtk(joined["points"], deep=True))
     lines.SetData(
         numpy_to_vtkIdTypeArray(ends.astype("int64"), deep=True),
@@ -65,7 +66,7 @@ def polylines_of(branches: list[dict[str, Any]]) -> Any:
     for data, name, values in (
         (line.GetPointData(), "Radius", joined["radius"]),
         (line.GetPointData(), "ArcLength", joined["length"]),
-        (line.GetCellData(), "Parent", numpy.array([one["parent"] for one in branches], "int32")),
+        (line.GetCellData(), "Parent", numpy.array([one.parent for one in branches], "int32")),
     ):
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)

@@ -397,7 +397,7 @@ def _centerline_of(volumeNode: Any, vessel: Vessel, name: str) -> Any:
     node = scene.GetFirstNode(name, "vtkMRMLModelNode") or scene.AddNewNodeByClass(
         "vtkMRMLModelNode", name
     )
-    branches = [{**branch, "points": branch["points"] * SIGNS} for branch in vessel.branches]
+    branches = [replace(branch, points=branch.points * SIGNS) for branch in vessel.branches]
     node.SetAndObservePolyData(polylines_of(branches))
     parent = volumeNode.GetParentTransformNode()
     node.SetAndObserveTransformNodeID(parent.GetID() if parent else None)
