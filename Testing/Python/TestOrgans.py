@@ -84,6 +84,8 @@ class Organs(unittest.TestCase):
                 ({"Levels": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "'Levels': the seed")):
             with self.subTest(words), self.assertRaisesRegex(kind, words):
                 flipfree.segment_organs(image(), organs)
+        with self.assertRaisesRegex(TypeError, "fixed"):
+            flipfree.segment_organs("nowhere.nii.gz", {"liver": (SEED, RADIUS)}, fixed=[1])
         with self.assertRaisesRegex(TypeError, "no parameter 'keep_history'"):
             both(keep_history=True)
         with self.assertRaisesRegex(TypeError, "fixed: a"):

@@ -156,6 +156,8 @@ def segment_organs(
         )
     given = [(str(name), *_organ_of(name, organ)) for name, organ in organs.items()]
     surfaces = tuple(fixed)
+    for surface in surfaces:
+        GroupAlgorithm().add_fixed(surface)  # what is wrong is said before the image is read
     volume = _image_of(image, series, spacing, origin, direction, progress)
 
     def run(points: list[tuple[Constraint, ...]], progress: ProgressOption) -> SegmentedOrgans:
