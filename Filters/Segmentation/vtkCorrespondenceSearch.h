@@ -67,7 +67,7 @@ public:
   /**
    * Gamma of Eq. 2, 0 to 1: features at or above it are foreground. Default 0: the feature's field
    * data `FeatureThreshold`, or 0.5 without it. vtkFlipFreeSegmentation refuses
-   * it; there, FeatureThreshold of vtkGMMFeatureFilter counts.
+   * others; there, FeatureThreshold of vtkGMMFeatureFilter counts.
    */
   void SetThreshold(double value);
   double GetThreshold() const;

@@ -44,6 +44,7 @@ class Organs(unittest.TestCase):
     def test_are_corrected_together(self):
         outside, boundary = (60, 84, 168), (70, 84, 168)
         first = both()
+        before = first.labels.copy(), first["liver"].points.copy()
         organs = first.corrected("liver", outside=[outside]).corrected("spleen", boundary=[SPLEEN_RIM])
         at_once = flipfree.segment_organs(
             image(), {"liver": {"seed": SEED, "radius": RADIUS, "outside": [outside]},
@@ -58,6 +59,8 @@ class Organs(unittest.TestCase):
         self.assertEqual(len(alone.constraints), 2)
         numpy.testing.assert_array_equal(alone.points, group["liver"].points)
         self.assertEqual(len(first["liver"].constraints), 0)
+        for found, kept in zip((first.labels, first["liver"].points), before):
+            numpy.testing.assert_array_equal(found, kept)
 
     def test_copies_are_not_corrected(self):
         organs = both()

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkFieldData, vtkImageData, vtkPolyData
 
 from . import _pickles as _pickles  # of what results hold
-from ._corrections import SEED, Constraint
+from ._corrections import SEED, Constraint, GivenOrgan
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._images import series_of
 from ._parameters import ARGUMENTS, names_of, of_several_organs, snake_case
@@ -115,23 +116,11 @@ class SegmentationAlgorithm:
 
 
 class GroupAlgorithm:
-    """One run of several organs."""
+    """Runs of several organs."""
 
-    def __init__(self, settings: vtkFlipFreeSegmentation | None = None) -> None:
+    def __init__(self) -> None:
         self._group = vtkFlipFreeOrganGroup()
-        if settings is not None:
-            self._group.SetParameters(settings)
         self.settings = self._group.GetParameters()
-        self._constraints: list[tuple[Constraint, ...]] = []
-
-    def add_organ(
-        self, name: str, center: list[float], radius: float, constraints: tuple[Constraint, ...]
-    ) -> None:
-        x, y, z = center
-        self._group.AddOrgan(name, x, y, z, radius)
-        for constraint in constraints:
-            _add(self._group, constraint, name)
-        self._constraints.append(constraints)
 
     def add_fixed(self, fixed: AnySurface) -> None:
         self._group.AddFixedData(_given("fixed", fixed))
@@ -141,26 +130,32 @@ class GroupAlgorithm:
         return int(self.settings.GetLabelValue())
 
     def run(
-        self, image: vtkImageData, tell: Progress | None
+        self, image: vtkImageData, given: Sequence[GivenOrgan], tell: Progress | None
     ) -> tuple[list[Segmentation], vtkImageData]:
         group = self._group
+        group.RemoveAllOrgans()
+        for organ in given:
+            x, y, z = organ.center
+            group.AddOrgan(organ.name, x, y, z, organ.radius)
+            for constraint in organ.points:
+                _add(group, constraint, organ.name)
         group.SetLabelValue(self.first_label())
         group.SetInputData(image)
         update(group, SegmentationError, tell, names=NAMES)
-        label_map = group.GetLabelMap()
+        label_map = _detached(group.GetLabelMap())
         organs = [
             Segmentation(
-                surface=_of_series(group.GetSurface(organ), image),
+                surface=_of_series(_detached(group.GetSurface(number)), image),
                 label_map=label_map,
-                convergence=group.GetConvergence(organ),
-                stop_reason=group.GetStopReasonAsString(organ),
-                boundary_found=_has_boundary(group.GetStopReason(organ)),
-                self_intersections=group.GetNumberOfSelfIntersections(organ),
+                convergence=_detached(group.GetConvergence(number)),
+                stop_reason=group.GetStopReasonAsString(number),
+                boundary_found=_has_boundary(group.GetStopReason(number)),
+                self_intersections=group.GetNumberOfSelfIntersections(number),
                 stage_seconds=tuple(group.GetStageSeconds()),
-                constraints=constraints,
-                questions=questions_of(columns_of(group.GetQuestions(organ))),
+                constraints=organ.points,
+                questions=questions_of(columns_of(group.GetQuestions(number))),
             )
-            for organ, constraints in enumerate(self._constraints)
+            for number, organ in enumerate(given)
         ]
         return organs, label_map
 

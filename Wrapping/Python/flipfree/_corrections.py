@@ -6,7 +6,7 @@ import functools
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, cast
 
 from ._errors import FlipFreeError
 from ._parameters import floats, radius_of, suggestion
@@ -31,6 +31,15 @@ class Constraint:
     kind: int
     place: tuple[float, ...]
     radius: float = 0.0
+
+
+class GivenOrgan(NamedTuple):
+    """One of several organs: its name, its seed sphere and its points."""
+
+    name: str
+    center: list[float]
+    radius: float
+    points: tuple[Constraint, ...]
 
 
 Points = Sequence[Sequence[float]]
@@ -122,9 +131,9 @@ class Correctable:
         seeds: Seeds = (),
         progress: ProgressOption = None,
     ) -> Self:
-        """The segmentation with these points besides those that it has already; see segment(), segment_organs() and trace().
+        """The segmentation with these points besides those that it has already.
 
-        This result stays as it is.
+        See segment(), segment_organs() and trace(). This result stays as it is.
 
         >>> import flipfree
         >>> abdomen = flipfree.phantom("abdomen").image

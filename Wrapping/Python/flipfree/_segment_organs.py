@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING, Any
 from ._arrays import array_from_image
 from ._backend import GROUP_PARAMETERS, GroupAlgorithm
 from ._boundary_found import require_boundary
-from ._corrections import Constraint, Points, Seeds, again_of, answers_of, constraints_of
+from ._corrections import (
+    Constraint,
+    GivenOrgan,
+    Points,
+    Seeds,
+    again_of,
+    answers_of,
+    constraints_of,
+)
 from ._parameters import described, floats, radius_of, set_parameters, signature_with, suggestion
 from ._progress import progress_of
 from ._segmentation import Segmentation
@@ -36,16 +44,15 @@ class SegmentedOrgans(Mapping[str, Segmentation]):
         organs: dict[str, Segmentation],
         label_map: Image,
         first: int,
-        again: Callable[[int, tuple[Constraint, ...], ProgressOption], SegmentedOrgans],
+        again: Callable[[str, tuple[Constraint, ...], ProgressOption], SegmentedOrgans],
     ) -> None:
         def of_one(
-            name: str, number: int, points: tuple[Constraint, ...], progress: ProgressOption
+            name: str, points: tuple[Constraint, ...], progress: ProgressOption
         ) -> Segmentation:
-            return again(number, points, progress)[name]
+            return again(name, points, progress)[name]
 
         self._organs = {
-            name: replace(organ, _again=partial(of_one, name, number))
-            for number, (name, organ) in enumerate(organs.items())
+            name: replace(organ, _again=partial(of_one, name)) for name, organ in organs.items()
         }
         self._first = first
         self._again: Callable[..., SegmentedOrgans] | None = again
@@ -94,8 +101,7 @@ class SegmentedOrgans(Mapping[str, Segmentation]):
     def _with(
         self, name: str, more: tuple[Constraint, ...], progress: ProgressOption
     ) -> SegmentedOrgans:
-        points = self[name].constraints + more
-        return again_of(self._again)(list(self).index(name), points, progress)
+        return again_of(self._again)(name, self[name].constraints + more, progress)
 
     def label_of(self, name: str) -> int:
         """The value of an organ in the label map."""
@@ -148,42 +154,37 @@ def segment_organs(
     """
     from ._segment import _image_of  # not in its type stub
 
-    settings = GroupAlgorithm().settings
-    set_parameters("segment_organs", settings, GROUP_PARAMETERS, parameters)
+    algorithm = GroupAlgorithm()
+    set_parameters("segment_organs", algorithm.settings, GROUP_PARAMETERS, parameters)
     if not isinstance(organs, Mapping):
         raise TypeError(
             f"organs: a dict of seeds by names is needed, {{'liver': (seed, radius)}}, not {organs!r:.80}"
         )
-    given = [(str(name), *_organ_of(name, organ)) for name, organ in organs.items()]
-    surfaces = tuple(fixed)
-    for surface in surfaces:
-        GroupAlgorithm().add_fixed(surface)  # what is wrong is said before the image is read
+    given = [_organ_of(str(name), organ) for name, organ in organs.items()]
+    for surface in fixed:
+        algorithm.add_fixed(surface)
     volume = _image_of(image, series, spacing, origin, direction, progress)
 
-    def run(points: list[tuple[Constraint, ...]], progress: ProgressOption) -> SegmentedOrgans:
-        algorithm = GroupAlgorithm(settings)
-        for (name, center, radius, _), of_organ in zip(given, points):
-            algorithm.add_organ(name, center, radius, of_organ)
-        for surface in surfaces:
-            algorithm.add_fixed(surface)
+    def run(given: list[GivenOrgan], progress: ProgressOption) -> SegmentedOrgans:
         with progress_of(progress, "segmenting") as tell:
-            found, label_map = algorithm.run(volume, tell)
+            found, label_map = algorithm.run(volume, given, tell)
+        for organ, result in zip(given, found):
+            require_boundary(result, organ.name)
 
         def again(
-            number: int, of_organ: tuple[Constraint, ...], progress: ProgressOption
+            name: str, points: tuple[Constraint, ...], progress: ProgressOption
         ) -> SegmentedOrgans:
-            return run([*points[:number], of_organ, *points[number + 1 :]], progress)
+            changed = [one._replace(points=points) if one.name == name else one for one in given]
+            return run(changed, progress)
 
-        for (name, *_), result in zip(given, found):
-            require_boundary(result, name)
-        names = [name for name, *_ in given]
-        return SegmentedOrgans(dict(zip(names, found)), label_map, algorithm.first_label(), again)
+        results = {organ.name: result for organ, result in zip(given, found)}
+        return SegmentedOrgans(results, label_map, algorithm.first_label(), again)
 
-    return run([points for *_, points in given], progress)
+    return run(given, progress)
 
 
-def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constraint, ...]]:
-    """Center, radius and points; TypeError or ValueError names the organ that is wrong."""
+def _organ_of(name: str, organ: Any) -> GivenOrgan:
+    """TypeError or ValueError names the organ that is wrong."""
     if not isinstance(organ, Mapping):
         try:
             seed, radius = organ
@@ -202,7 +203,8 @@ def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constrai
             + f"its keys are {', '.join(KEYS)}"
         )
     points = constraints_of(*(organ.get(key, ()) for key in KEYS[2:]))
-    return floats("seed", organ["seed"], 3), radius_of("radius", organ["radius"]), points
+    center, radius = floats("seed", organ["seed"], 3), radius_of("radius", organ["radius"])
+    return GivenOrgan(name, center, radius, points)
 
 
 # Help and completion show the parameters as if they were spelled out above.

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
 from ._branches import Branch
-from ._corrections import SEED, Constraint
+from ._corrections import SEED, Constraint, GivenOrgan
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
@@ -147,17 +147,11 @@ class SegmentationAlgorithm:
 
 
 class GroupAlgorithm:
-    """One run of several organs."""
+    """Runs of several organs."""
 
-    def __init__(self, settings: Any = None) -> None:
-        self.settings = _kernels.SegmentationSettings("default") if settings is None else settings
-        self._organs: list[tuple[str, list[float], float, tuple[Constraint, ...]]] = []
+    def __init__(self) -> None:
+        self.settings = _kernels.SegmentationSettings("default")
         self._fixed: list[Surface] = []
-
-    def add_organ(
-        self, name: str, center: list[float], radius: float, constraints: tuple[Constraint, ...]
-    ) -> None:
-        self._organs.append((name, center, radius, constraints))
 
     def add_fixed(self, fixed: AnySurface) -> None:
         self._fixed.append(_given("fixed", fixed))
@@ -166,9 +160,11 @@ class GroupAlgorithm:
         """The first organ's value in the label map."""
         return int(self.settings.get("LabelValue")[0])
 
-    def run(self, image: Image, tell: Progress | None) -> tuple[list[Segmentation], Image]:
+    def run(
+        self, image: Image, given: Sequence[GivenOrgan], tell: Progress | None
+    ) -> tuple[list[Segmentation], Image]:
         rows = [
-            (name, center, radius, _rows_of(points)) for name, center, radius, points in self._organs
+            (name, center, radius, _rows_of(points)) for name, center, radius, points in given
         ]
         answer = _segmented(
             lambda report: _kernels.segment_organs(
@@ -181,19 +177,19 @@ class GroupAlgorithm:
             NAMES,
             tell,
         )
-        names = {label: organ[0] for label, organ in enumerate(self._organs, self.first_label())}
+        names = {label: organ.name for label, organ in enumerate(given, self.first_label())}
         label_map = _labels_of(answer, image, names)
         organs = []
         seconds = tuple(map(sum, zip(*(organ["stage_seconds"] for organ in answer["organs"]))))
-        for (name, _, _, constraints), organ in zip(self._organs, answer["organs"]):
-            for text in organ["warnings"]:
-                warn(f"'{name}': {with_names(text, NAMES)}")
+        for organ, found in zip(given, answer["organs"]):
+            for text in found["warnings"]:
+                warn(f"'{organ.name}': {with_names(text, NAMES)}")
             organs.append(
                 Segmentation(
-                    **{**_found(organ, image, certified=True), "stage_seconds": seconds},
+                    **{**_found(found, image, certified=True), "stage_seconds": seconds},
                     label_map=label_map,
-                    constraints=constraints,
-                    questions=questions_of(organ["questions"]),
+                    constraints=organ.points,
+                    questions=questions_of(found["questions"]),
                 )
             )
         return organs, label_map

@@ -145,6 +145,18 @@ class Segmentation(Result):
         return png_of(self.label_map if self._image is None else self._image, self, NOTEBOOK_PIXELS)
 
 
+def joined(branches: list[Branch]) -> dict[str, npt.NDArray[Any]]:
+    """The columns `points`, `radius`, `length` of all branches, where these begin and end, and `parent`."""
+    import numpy
+
+    names = ("points", "radius", "length")
+    return {
+        **{name: numpy.concatenate([getattr(one, name) for one in branches]) for name in names},
+        "ends": numpy.cumsum([0, *(len(one.points) for one in branches)]),
+        "parent": numpy.array([one.parent for one in branches], numpy.int32),
+    }
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Vessel(VesselMeasures, Segmentation):
     """A vessel, or a tree of vessels. Coordinates are the image's physical millimeters."""

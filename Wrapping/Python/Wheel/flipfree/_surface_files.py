@@ -10,7 +10,7 @@ from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
 from ._messages import listed
-from ._segmentation import Segmentation, Surface, Vessel
+from ._segmentation import Segmentation, Surface, Vessel, joined
 from ._types import PathName
 
 ENDINGS = (".vtp", ".stl", ".ply", ".obj")
@@ -157,19 +157,14 @@ def _vtp(mesh: Surface) -> bytes:
 def _vtp_lines(vessel: Vessel) -> bytes:
     import numpy
 
-    points, radii, lengths = (
-        numpy.concatenate([getattr(branch, name) for branch in vessel.branches])
-        for name in ("points", "radius", "length")
-    )
-    ends = numpy.cumsum([0, *(len(branch.points) for branch in vessel.branches)])
-    parents = numpy.array([branch.parent for branch in vessel.branches], numpy.int32)
+    line = joined(vessel.branches)
     written: bytes = _kernels.vtp_bytes(
-        points,
-        numpy.arange(len(points), dtype=numpy.int32),
-        ends.astype(numpy.int32),
+        line["points"],
+        numpy.arange(len(line["points"]), dtype=numpy.int32),
+        line["ends"].astype(numpy.int32),
         fields={},
-        point_data={"Radius": radii, "ArcLength": lengths},
-        cell_data={"Parent": parents},
+        point_data={"Radius": line["radius"], "ArcLength": line["length"]},
+        cell_data={"Parent": line["parent"]},
         are_lines=True,
     )
     return written

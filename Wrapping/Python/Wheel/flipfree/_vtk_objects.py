@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 
 from ._branches import Branch
 from ._image import Image
-from ._segmentation import Surface
+from ._segmentation import Surface, joined
 
 
 def polydata_of(mesh: Surface, surface: Any = None) -> Any:
@@ -51,22 +51,18 @@ def polylines_of(branches: list[Branch]) -> Any:
     import numpy
 
     line, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
-    joined = {
-        name: numpy.concatenate([getattr(branch, name) for branch in branches])
-        for name in ("points", "radius", "length")
-    }
-    ends = numpy.cumsum([0, *(len(branch.points) for branch in branches)])
-    points.SetData(numpy_to_vtk(joined["points"], deep=True))
+    columns = joined(branches)
+    points.SetData(numpy_to_vtk(columns["points"], deep=True))
     lines.SetData(
-        numpy_to_vtkIdTypeArray(ends.astype("int64"), deep=True),
-        numpy_to_vtkIdTypeArray(numpy.arange(ends[-1], dtype="int64"), deep=True),
+        numpy_to_vtkIdTypeArray(columns["ends"].astype("int64"), deep=True),
+        numpy_to_vtkIdTypeArray(numpy.arange(len(columns["points"]), dtype="int64"), deep=True),
     )
     line.SetPoints(points)
     line.SetLines(lines)
     for data, name, values in (
-        (line.GetPointData(), "Radius", joined["radius"]),
-        (line.GetPointData(), "ArcLength", joined["length"]),
-        (line.GetCellData(), "Parent", numpy.array([one.parent for one in branches], "int32")),
+        (line.GetPointData(), "Radius", columns["radius"]),
+        (line.GetPointData(), "ArcLength", columns["length"]),
+        (line.GetCellData(), "Parent", columns["parent"]),
     ):
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
