@@ -11,18 +11,12 @@ it.
 import argparse
 import os
 import shutil
-import subprocess
 
 import flipfree
 import inputs
-import numpy
 import scene
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPlane, vtkUnstructuredGrid
+import tetrahedra
 from vtkmodules.vtkFiltersCore import vtkMassProperties
-from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 
@@ -47,50 +41,6 @@ def defects_of(stl):
             for name in ("SelfIntersections", "BoundaryEdges", "NonManifoldEdges")}
 
 
-def write_off(organ, name):
-    """All digits of the vertices, and the very triangles that are certified."""
-    with open(name, "w", encoding="ascii") as file:
-        file.write(f"OFF\n{len(organ.points)} {len(organ.triangles)} 0\n")
-        numpy.savetxt(file, organ.points, fmt="%.17g")
-        numpy.savetxt(file, organ.triangles, fmt="3 %d %d %d")
-
-
-def tetrahedra_of(off):
-    """By TetGen, with well-shaped elements (-q) and no change to the surface (-Y)."""
-    subprocess.run(["tetgen", "-pqYQ", off], check=True, capture_output=True)
-    stem = os.path.splitext(off)[0] + ".1"
-    nodes = numpy.loadtxt(stem + ".node", skiprows=1)[:, 1:4]
-    corners = numpy.loadtxt(stem + ".ele", skiprows=1, dtype=int)[:, 1:5]
-    return nodes, corners
-
-
-def grid_of(nodes, corners):
-    """As an object of VTK's."""
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(nodes, deep=True))
-    cells = vtkCellArray()
-    cells.SetData(4, numpy_to_vtkIdTypeArray(corners.ravel(), deep=True))
-    grid = vtkUnstructuredGrid()
-    grid.SetPoints(points)
-    grid.SetCells(VTK_TETRA, cells)
-    return grid
-
-
-def cut_open(grid, center):
-    """The tetrahedra behind a coronal plane, whole ones, and what one sees of them."""
-    plane = vtkPlane()
-    plane.SetOrigin(center)
-    plane.SetNormal(0, -1, 0)
-    behind = vtkExtractGeometry()
-    behind.SetInputData(grid)
-    behind.SetImplicitFunction(plane)
-    behind.ExtractInsideOn()
-    outside = vtkGeometryFilter()
-    outside.SetInputConnection(behind.GetOutputPort())
-    outside.Update()
-    return outside.GetOutput()
-
-
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--folder", default="organ-files", help="where to save (default: organ-files)")
 arguments = inputs.parse(__doc__, parser)
@@ -107,19 +57,20 @@ properties.SetInputData(scene.triangles_of(organ.surface))
 print(f"{stl}: {size} mm, {properties.GetVolume() / 1000:.0f} ml of material if it is solid")
 print(", ".join(f"{name} {count}" for name, count in defects_of(stl).items()))
 
+# The very triangles that are certified.
 off = os.path.join(arguments.folder, "organ.off")
-write_off(organ, off)
+tetrahedra.write_off(organ.points, organ.triangles, off)
 print(f"{off}: {len(organ.points)} vertices, {len(organ.triangles)} triangles")
 
 views = [scene.space_view([scene.surface_actor(scene.triangles_of(organ.surface), edges=True)],
                           "to print", zoom=1.4)]
 if shutil.which("tetgen"):
-    nodes, corners = tetrahedra_of(off)
+    points, corners, _ = tetrahedra.fill(off)
     print(f"TetGen: {len(corners)} tetrahedra")
-    inside = cut_open(grid_of(nodes, corners), organ.surface.GetCenter())
-    tetrahedra = scene.surface_actor(inside, edges=True)
-    tetrahedra.GetProperty().SetInterpolationToFlat()
-    views.append(scene.space_view([tetrahedra], "tetrahedra, cut open", zoom=1.4,
+    inside = tetrahedra.cut_open(tetrahedra.grid_of(points, corners), organ.surface.GetCenter())
+    actor = scene.surface_actor(inside, edges=True)
+    actor.GetProperty().SetInterpolationToFlat()
+    views.append(scene.space_view([actor], "tetrahedra, cut open", zoom=1.4,
                                   bounds=organ.surface.GetBounds()))
 else:
     print("tetgen is not installed, so there are no tetrahedra")

@@ -24,6 +24,30 @@ TEST(BlockGrid, CountsEveryVoxelInItsBlock)
   }
 }
 
+TEST(BlockGrid, FindsTheBlocksOfAMaskAndTheirVoxels)
+{
+  std::mt19937 random(7);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    const BitMask mask = BitsOf(RandomMask(geometry, 0.1, random), geometry);
+    const BlockGrid grid(geometry, 3);
+    const std::vector<std::size_t> counts = grid.CountVoxels(mask, ScatteredFor);
+    for (const std::size_t least : { std::size_t(1), grid.HalfOfBlock() })
+    {
+      const BitMask blocks = grid.BlocksWith(least, mask, ScatteredFor);
+      const BitMask voxels = grid.VoxelsOf(blocks, ScatteredFor);
+      ForEachVoxel(geometry,
+        [&](int i, int j, int k)
+        {
+          const std::size_t block =
+            grid.Blocks.Offset(i / grid.Factor[0], j / grid.Factor[1], k / grid.Factor[2]);
+          EXPECT_EQ(voxels(i, j, k), counts[block] >= least);
+          EXPECT_EQ(blocks(block), counts[block] >= least);
+        });
+    }
+  }
+}
+
 TEST(BlockGrid, FindsTheBlockOfAPointAndItsCenter)
 {
   const BlockGrid grid(Grid({ { 21, 13, 9 } }, { 1, 1.5, 4 }), 4);

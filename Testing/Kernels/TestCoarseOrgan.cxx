@@ -1,6 +1,7 @@
 // Second looks at an organ on blocks, on a bright ball in dark surroundings with a brighter rim.
 #include "Evidence/CoarseOrgan.h"
 #include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/ModelFit.h"
 
@@ -50,10 +51,10 @@ struct BallWithRim
     return ball;
   }
 
-  CoarseOrgan Organ() const
+  CoarseOrgan Organ(const ParallelFor& parallelFor = OneThread) const
   {
     return { { this->Image.View(), {} }, this->Geometry, this->Ball(20), this->Seed, 4,
-      this->Settings, this->OfSeed, OneThread };
+      this->Settings, this->OfSeed, parallelFor };
   }
 };
 
@@ -84,13 +85,14 @@ TEST(CoarseOrgan, GrowsLessByANarrowerInterval)
 {
   const BallWithRim image;
   const CoarseOrgan organ = image.Organ();
-  BitMask wide;
-  BitMask narrow;
-  ASSERT_TRUE(organ.Grow(0.99999, NeverStop, wide));
-  ASSERT_TRUE(organ.Grow(0.8, NeverStop, narrow));
+  const std::vector<BitMask> carved = organ.Grow({ 0.99999, 0.8 });
+  ASSERT_EQ(carved.size(), 2U);
+  const BitMask& wide = carved[0];
+  const BitMask& narrow = carved[1];
   EXPECT_GT(Dice(narrow, organ.BlocksOf(image.Ball(20))), 0.85);
   EXPECT_LE(narrow.Count(), wide.Count());
   EXPECT_GE(NarrowedTo(0.8, image.OfSeed).Threshold, image.OfSeed.Threshold);
-  EXPECT_FALSE(organ.Grow(
-    0.8, [](double) { return false; }, narrow));
+  const ParallelFor threads = ScatteredFor;
+  EXPECT_EQ(image.Organ(threads).Grow({ 0.99999, 0.8 }), carved);
+  EXPECT_EQ(organ.Grow({ 0.8 }).front(), narrow);
 }

@@ -321,3 +321,32 @@ TEST(LabelSurfaces, KnowSimpleVoxels)
   EXPECT_FALSE(IsSimpleVoxel(0x1ff | 0x1ffU << 18));
   EXPECT_FALSE(IsSimpleVoxel(0x1ffU << 9 & ~bit(0, 0, 0))); // a ring, which it would fill
 }
+
+// Whether the numbers of its points are close together or not, and where it has none.
+TEST(TrianglesByLabel, HaveBoundariesWithTheirPointsInOrder)
+{
+  SharedWalls walls;
+  walls.Points = PointList::Random(2000, 3);
+  walls.Triangles.resize(4, 3);
+  walls.Triangles << 5, 3, 4, 1999, 0, 1000, 4, 3, 6, 7, 1000, 1999;
+  walls.Labels = { { { 1, 0 } }, { { 2, 0 } }, { { 1, 2 } }, { { 0, 2 } } };
+  const TrianglesByLabel triangles(walls, 4);
+  const std::vector<std::vector<int>> expected{ {}, { 3, 4, 5, 6 }, { 0, 3, 4, 6, 7, 1000, 1999 },
+    {} };
+  for (int label = 1; label < 4; ++label)
+  {
+    const LabelBoundary boundary = triangles.BoundaryOf(label);
+    ASSERT_EQ(boundary.Points.rows(), static_cast<Eigen::Index>(expected[label].size()));
+    for (std::size_t place = 0; place < expected[label].size(); ++place)
+    {
+      EXPECT_EQ(boundary.Points.row(static_cast<Eigen::Index>(place)),
+        walls.Points.row(expected[label][place]));
+    }
+  }
+  TriangleList ofFirst(2, 3);
+  ofFirst << 2, 0, 1, 1, 0, 3;
+  EXPECT_EQ(triangles.BoundaryOf(1).Triangles, ofFirst);
+  TriangleList ofSecond(3, 3); // turned around where it is the second label
+  ofSecond << 6, 0, 5, 3, 1, 2, 6, 5, 4;
+  EXPECT_EQ(triangles.BoundaryOf(2).Triangles, ofSecond);
+}

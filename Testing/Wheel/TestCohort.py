@@ -219,6 +219,89 @@ class Columns(SchedulerTest):
         self.assertGreater(answered["segmented_ml"], asked["segmented_ml"] + 20)
 
 
+class LabelMaps(SchedulerTest):
+    """Rows with a label map get the surfaces of its labels."""
+
+    NAMES = {1: "liver", 2: "spleen", 3: "stomach"}
+    FILES = ["1-liver.stl", "2-spleen.stl", "3-stomach.stl", "row.json", "surfaces.csv"]
+
+    def write(self, labels):
+        voxels = numpy.zeros((20, 24, 24), numpy.uint8)
+        for label in labels:
+            voxels[4 * label:4 * label + 4, 6:18, 6:18] = label
+        image = flipfree.image_from_array(voxels, spacing=(1, 1, 2))
+        flipfree.write_image(image, self.folder / "labels.seg.nrrd", names={label: self.NAMES[label] for label in labels})
+        return image
+
+    def run_rows(self, *rows):
+        rows = [{"label_map": self.folder / "labels.seg.nrrd", "case": "a", "organ": "", **row} for row in rows]
+        return flipfree.cohort(rows, self.out, scheduler=self.address).rows
+
+    def files(self):
+        return sorted(path.name for path in (self.out / "rows" / "a").iterdir())
+
+    def test_surfaces(self):
+        """Beside organs, in one table."""
+        image = self.write([1, 2, 3])
+        organs = self.rows(1)
+        rows = self.run_rows({"exact": True}, *({"label_map": "", **organ} for organ in organs))
+        self.assertEqual([(row["status"], row["message"]) for row in rows], 3 * [("done", "")])
+        self.assertEqual([bool(row["surfaces"]) for row in rows], [True, False, False])
+        self.assertEqual(self.files(), self.FILES)
+        found = flipfree.surfaces(image, exact=True)
+        self.assertAlmostEqual(rows[0]["segmented_ml"], sum(one.volume for one in found.labels.values()), 2)
+        self.assertEqual((rows[0]["confidence"], rows[0]["picture"], rows[0]["surfaces"]),
+                         (None, None, "rows/a/surfaces.csv"))
+        with open(self.out / rows[0]["surfaces"], newline="", encoding="utf-8") as file:
+            table = list(csv.DictReader(file))
+        self.assertEqual([(row["Name"], row["File"], row["WrongVoxels"]) for row in table],
+                         [(name, f"{label}-{name}.stl", "0") for label, name in self.NAMES.items()])
+        self.assertIn(f"<dd>{rows[0]['segmented_ml']:.1f} ml</dd>", (self.out / "report.html").read_text())
+        names = re.findall(r"<h2>[0-9]+\. (.*)</h2>", (self.out / "report.html").read_text())
+        self.assertEqual(names[-1], "a")  # it has no confidence
+
+    def test_what_is_done_is_kept(self):
+        """Until its file or a result is another; what is gone from the label map loses its file."""
+        self.write([1, 2, 3])
+        self.run_rows({"exact": True})
+        before = self.records()
+        self.run_rows({"exact": True})
+        self.assertEqual(self.records(), before)
+        (self.out / "rows" / "a" / "3-stomach.stl").unlink()
+        self.run_rows({"exact": True})
+        self.assertNotEqual(self.records(), before)
+        self.assertEqual(self.files(), self.FILES)
+        self.write([])
+        self.assertEqual(self.run_rows({"exact": True})[0]["status"], "failed")
+        self.write([2])
+        self.run_rows({"exact": True})
+        self.assertEqual(self.files(), ["2-spleen.stl", "row.json", "surfaces.csv"])
+        [organ, _] = self.rows(1)
+        self.run_rows({"label_map": "", **organ, "case": "a", "organ": ""})
+        self.assertEqual(self.files(), ["labels.nii.gz", "picture.jpg", "row.json", "surface.vtp"])
+
+    def test_other_tables_may_have_columns_of_such_names(self):
+        [organ, _] = self.rows(1)
+        cohort = flipfree.cohort([{**organ, "exact": "as drawn", "Distance": "2,5"}], self.out, scheduler=self.address)
+        self.assertEqual((cohort.failed, cohort.rows[0]["exact"], cohort.rows[0]["Distance"]), ([], "as drawn", "2,5"))
+
+    def test_bad_rows(self):
+        self.write([])
+        for more, message in (
+                ({}, r"^row 1, column label_map: .*no labels"),
+                ({"exact": True}, r"^row 1, column label_map: .*no labels"),
+                ({"label_map": self.folder / "none.seg.nrrd"}, r"^row 1, column label_map: .*none"),
+                ({"volume": "ct.nii.gz"}, r"^row 1, column volume: a row with a label map .*empty this cell"),
+                ({"seed_x": 1}, r"^row 1, column seed_x: a row with a label map "),
+                ({"levels": 2}, r"^row 1, column levels: a label map has no such parameter; empty the cell$"),
+                ({"edge_length": "long"}, r"^row 1, column edge_length: a number is needed, not 'long'$"),
+                ({"edge_length": -1}, r"^row 1, column edge_length: ")):
+            with self.subTest(more):
+                [row] = self.run_rows(more)
+                self.assertEqual((row["status"], row["surfaces"]), ("failed", None))
+                self.assertRegex(row["message"], message)
+
+
 class Local(CohortTest):
     def test_command(self):
         """Workers of its own; each kind of row that fails; all the files there are."""

@@ -100,6 +100,24 @@ class Accessor(unittest.TestCase):
         self.assertEqual(reference.flipfree.evaluate(surface, reference_label=6),
                          flipfree.evaluate(coarse_liver(), truth(), reference_label=6))
 
+    def test_surfaces_of_a_label_map(self):
+        walls = flipfree.surfaces(truth(), [2, 6], exact=True, iterations=5)
+        blocks = flipfree_pyvista.imagedata(truth()).flipfree.surfaces([2, 6], exact=True, iterations=5)
+        self.assertEqual(blocks.keys(), ["2", "6"])
+        for label, surface in zip((2, 6), blocks):
+            points, triangles = walls.surface(label)
+            numpy.testing.assert_array_equal(surface.points, points)
+            numpy.testing.assert_array_equal(surface.regular_faces, triangles)
+            self.assertEqual((surface.n_open_edges, surface.field_data["Label"]), (0, [label]))
+            self.assertEqual(surface.field_data["Certified"], [1])
+            self.assertLess(abs(surface.volume / 1000 / walls.labels[label].volume - 1), 1e-3)
+
+    def test_a_label_without_parts_has_no_surface(self):
+        blocks = flipfree_pyvista.imagedata(truth()).flipfree.surfaces(smallest_part=100000)
+        self.assertEqual([block.field_data["Label"][0] for block in blocks], [int(key) for key in blocks.keys()])
+        self.assertIn("6", blocks.keys())
+        self.assertLess(blocks.n_blocks, len(flipfree.surfaces(truth()).labels))
+
     def test_cells_are_refused(self):
         cells = pyvista.ImageData(dimensions=(5, 5, 5))
         cells.cell_data["values"] = numpy.zeros(64)

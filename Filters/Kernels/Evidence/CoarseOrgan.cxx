@@ -8,7 +8,6 @@
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
-#include <array>
 
 namespace FlipFree
 {
@@ -44,16 +43,7 @@ CoarseOrgan::CoarseOrgan(const ImagePart& image, const ImageGeometry& voxels,
 
 BitMask CoarseOrgan::BlocksOf(const BitMask& mask) const
 {
-  const std::vector<std::size_t> counts = this->Grid.CountVoxels(mask, this->Parallel);
-  BitMask blocks(this->Grid.Blocks);
-  for (std::size_t block = 0; block < counts.size(); ++block)
-  {
-    if (this->Grid.AreHalf(counts[block]))
-    {
-      blocks.Insert(block);
-    }
-  }
-  return blocks;
+  return this->Grid.BlocksWith(this->Grid.HalfOfBlock(), mask, this->Parallel);
 }
 
 double CoarseOrgan::SupportOf(const BitMask& blocks) const
@@ -61,20 +51,32 @@ double CoarseOrgan::SupportOf(const BitMask& blocks) const
   return BoundarySupport(this->View(), blocks, this->LeastContrast);
 }
 
-bool CoarseOrgan::Grow(double mass, const Monitor& monitor, BitMask& carved) const
+std::vector<BitMask> CoarseOrgan::Grow(const std::vector<double>& masses) const
+{
+  std::vector<BitMask> carved(masses.size());
+  // Side by side: on so few blocks, each pass is too short for several threads.
+  this->Parallel(0, static_cast<std::ptrdiff_t>(masses.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        this->Grow(masses[index], carved[index]);
+      }
+    });
+  return carved;
+}
+
+void CoarseOrgan::Grow(double mass, BitMask& carved) const
 {
   const ImageGeometry& blocks = this->Grid.Blocks;
   BitMask grown;
-  if (!FindForegroundInBox(this->View(), WholeBox(blocks), NarrowedTo(mass, this->OfSeed),
-        this->Seed, RadiiOf(this->Settings.Leaks, this->Seed.Radius, blocks), this->Parallel,
-        monitor, grown))
+  FindForegroundInBox(this->View(), WholeBox(blocks), NarrowedTo(mass, this->OfSeed), this->Seed,
+    RadiiOf(this->Settings.Leaks, this->Seed.Radius, blocks), SerialFor, NeverStop, grown);
+  if (grown.Count() != 0)
   {
-    return false;
-  }
-  carved = BitMask();
-  return grown.Count() == 0 ||
     CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
-      this->Parallel, monitor, carved, nullptr);
+      SerialFor, NeverStop, carved, nullptr);
+  }
 }
 
 } // namespace FlipFree

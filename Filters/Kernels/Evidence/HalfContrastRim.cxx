@@ -104,8 +104,9 @@ private:
 
   bool FindContrast()
   {
-    BitMask shell = this->Mask;
-    if (!Dilate(shell, ShellEnd, this->Parallel, this->Ask))
+    // Whole blocks, since the shell is averaged in blocks.
+    BitMask blocks = this->Grid.BlocksWith(1, this->Mask, this->Parallel);
+    if (!Dilate(blocks, ShellEnd, this->Parallel, this->Ask))
     {
       return false;
     }
@@ -114,6 +115,7 @@ private:
     {
       return false;
     }
+    BitMask shell = this->Grid.VoxelsOf(blocks, this->Parallel);
     shell.Remove(gap);
     const auto smallest = static_cast<float>(this->Spread);
     const float power = this->Rule.Power;
@@ -239,6 +241,8 @@ private:
 
 } // namespace
 
+// Blocks of the shell may go on for a few millimeters; what the part does not hold of them does not
+// count.
 std::array<int, 3> RimReachOf(const ImageGeometry& geometry, int calls)
 {
   std::array<int, 3> voxels = BallReach(ShellEnd + calls * RimReach, geometry);

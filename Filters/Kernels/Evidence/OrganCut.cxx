@@ -331,7 +331,7 @@ private:
             {
               if (this->IsTouched[blocks.Offset(i, j, k)] && isRemoved(i, j, k))
               {
-                this->Grid.SetBlock(false, i, j, k, this->Mask);
+                this->Grid.SetBlocks(false, i, i + 1, j, k, this->Mask);
               }
             }
           }

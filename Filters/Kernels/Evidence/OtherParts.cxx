@@ -84,15 +84,10 @@ public:
         return false;
       }
     }
-    for (const double mass : CoarseMasses)
+    for (const BitMask& carved : this->Organ.Grow({ CoarseMasses.begin(), CoarseMasses.end() }))
     {
-      BitMask carved;
-      if (!this->Organ.Grow(mass, this->Proceed(), carved))
-      {
-        return false;
-      }
       ++this->Done;
-      if (carved.HasGrid() && !this->AddParts(carved))
+      if (!this->Proceed()(0) || (carved.HasGrid() && !this->AddParts(carved)))
       {
         return false;
       }

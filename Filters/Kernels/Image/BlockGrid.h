@@ -42,6 +42,35 @@ struct BlockGrid
     return counts;
   }
 
+  /// The blocks that hold at least so many voxels of a mask.
+  BitMask BlocksWith(std::size_t least, const BitMask& mask, const ParallelFor& parallelFor) const
+  {
+    const std::vector<std::size_t> counts = this->CountVoxels(mask, parallelFor);
+    BitMask blocks(this->Blocks);
+    for (std::size_t block = 0; block < counts.size(); ++block)
+    {
+      if (counts[block] >= least)
+      {
+        blocks.Insert(block);
+      }
+    }
+    return blocks;
+  }
+
+  /// The voxels of the blocks of a mask.
+  BitMask VoxelsOf(const BitMask& blocks, const ParallelFor& parallelFor) const
+  {
+    BitMask voxels(this->Voxels);
+    parallelFor(0, this->Blocks.Dimensions[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        blocks.ForEachRun(first, last,
+          [&](int begin, int end, int j, int k)
+          { this->SetBlocks(true, begin, end, j, k, voxels); });
+      });
+    return voxels;
+  }
+
   /// Calls visit(block, begin, end, j, k) for the runs of the mask's voxels in each block, in
   /// parallel over slices of blocks.
   template <typename Visit>
@@ -81,17 +110,18 @@ struct BlockGrid
     return FlipFree::CenterOf(block, this->Blocks);
   }
 
-  /// Inserts the voxels of block (i, j, k) into a mask of the voxels, or removes them.
-  void SetBlock(bool inside, int i, int j, int k, BitMask& mask) const
+  /// Inserts the voxels of the blocks (i, j, k) with begin <= i < end into a mask of the voxels, or
+  /// removes them.
+  void SetBlocks(bool inside, int begin, int end, int j, int k, BitMask& mask) const
   {
     const std::array<int, 3>& size = this->Voxels.Dimensions;
     const std::array<int, 3>& factor = this->Factor;
-    const int end = std::min(size[0], (i + 1) * factor[0]);
+    const int stop = std::min(size[0], end * factor[0]);
     for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
     {
       for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
       {
-        mask.SetRun(inside, i * factor[0], end, y, z);
+        mask.SetRun(inside, begin * factor[0], stop, y, z);
       }
     }
   }
@@ -99,7 +129,7 @@ struct BlockGrid
   void SetBlock(bool inside, std::size_t block, BitMask& mask) const
   {
     const std::array<int, 3> index = IndexOf(block, this->Blocks);
-    this->SetBlock(inside, index[0], index[1], index[2], mask);
+    this->SetBlocks(inside, index[0], index[0] + 1, index[1], index[2], mask);
   }
 
   std::size_t VoxelsPerBlock() const
@@ -107,8 +137,10 @@ struct BlockGrid
     return static_cast<std::size_t>(this->Factor[0]) * this->Factor[1] * this->Factor[2];
   }
 
+  std::size_t HalfOfBlock() const { return (this->VoxelsPerBlock() + 1) / 2; }
+
   /// Whether so many voxels are half of a block.
-  bool AreHalf(std::size_t voxels) const { return 2 * voxels >= this->VoxelsPerBlock(); }
+  bool AreHalf(std::size_t voxels) const { return voxels >= this->HalfOfBlock(); }
 };
 
 /// Values on the blocks, interpolated along one row of voxels.

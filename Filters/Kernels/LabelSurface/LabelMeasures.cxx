@@ -46,6 +46,50 @@ std::vector<int> CountVertices(const SharedWalls& walls, const LabelGrid& grid)
   return counts;
 }
 
+// Points whose numbers span no more than so many times their triangles are looked up in a table.
+constexpr std::size_t GreatestSpan = 16;
+
+// Replaces the corners of triangles by their places in the list of all points there, ascending,
+// which it returns.
+std::vector<int> NumberCorners(TriangleList& triangles)
+{
+  int* const begin = triangles.data();
+  int* const end = begin + triangles.size();
+  if (begin == end)
+  {
+    return {};
+  }
+  const auto [least, greatest] = std::minmax_element(begin, end);
+  const int first = *least;
+  const std::size_t span = static_cast<std::size_t>(*greatest - first) + 1;
+  std::vector<int> points;
+  if (span > GreatestSpan * static_cast<std::size_t>(triangles.rows()))
+  {
+    points.assign(begin, end);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::transform(begin, end, begin,
+      [&points](int corner)
+      {
+        return static_cast<int>(
+          std::lower_bound(points.begin(), points.end(), corner) - points.begin());
+      });
+    return points;
+  }
+  std::vector<int> places(span, 0);
+  std::for_each(begin, end, [&](int corner) { places[corner - first] = 1; });
+  for (std::size_t place = 0; place < span; ++place)
+  {
+    if (places[place] != 0)
+    {
+      places[place] = static_cast<int>(points.size());
+      points.push_back(first + static_cast<int>(place));
+    }
+  }
+  std::transform(begin, end, begin, [&](int corner) { return places[corner - first]; });
+  return points;
+}
+
 } // namespace
 
 TrianglesByLabel::TrianglesByLabel(const SharedWalls& walls, std::size_t numberOfLabels)
@@ -72,34 +116,24 @@ TrianglesByLabel::TrianglesByLabel(const SharedWalls& walls, std::size_t numberO
 LabelBoundary TrianglesByLabel::BoundaryOf(int label) const
 {
   const SharedWalls& walls = this->Walls;
-  const std::vector<int> triangles(this->Triangles.begin() +
-      static_cast<std::ptrdiff_t>(this->Begin[label]),
-    this->Triangles.begin() + static_cast<std::ptrdiff_t>(this->Begin[label + 1]));
+  const std::size_t begin = this->Begin[label];
+  const auto count = static_cast<Eigen::Index>(this->Begin[label + 1] - begin);
   LabelBoundary boundary;
-  boundary.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  std::vector<int> points;
-  for (std::size_t row = 0; row < triangles.size(); ++row)
+  boundary.Triangles.resize(count, 3);
+  for (Eigen::Index row = 0; row < count; ++row)
   {
-    const int triangle = triangles[row];
+    const int triangle = this->Triangles[begin + row];
+    const bool isFirst = walls.Labels[triangle][0] == label;
     for (int corner = 0; corner < 3; ++corner)
     {
-      const int from = walls.Labels[triangle][0] == label ? corner : 2 - corner;
-      boundary.Triangles(static_cast<Eigen::Index>(row), corner) = walls.Triangles(triangle, from);
-      points.push_back(walls.Triangles(triangle, from));
+      boundary.Triangles(row, corner) = walls.Triangles(triangle, isFirst ? corner : 2 - corner);
     }
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const std::vector<int> points = NumberCorners(boundary.Triangles);
   boundary.Points.resize(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t point = 0; point < points.size(); ++point)
   {
     boundary.Points.row(static_cast<Eigen::Index>(point)) = walls.Points.row(points[point]);
-  }
-  for (int* corner = boundary.Triangles.data();
-       corner != boundary.Triangles.data() + boundary.Triangles.size(); ++corner)
-  {
-    *corner =
-      static_cast<int>(std::lower_bound(points.begin(), points.end(), *corner) - points.begin());
   }
   return boundary;
 }

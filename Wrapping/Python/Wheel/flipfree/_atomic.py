@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from functools import partial
 from typing import Any
 
@@ -37,6 +37,15 @@ def replacing(path: PathName) -> Iterator[str]:
         raise FileError(
             f"'{name}' cannot be written: {reason}. Free some disk space, or write elsewhere."
         ) from error
+
+
+def write_to(files: ExitStack, path: str, write: Callable[[str], None]) -> None:
+    """Writes under another name, which becomes the path's when `files` ends."""
+    temporary = files.enter_context(replacing(path))
+    try:
+        write(temporary)
+    except FileError as error:
+        raise FileError(str(error).replace(temporary, path)) from error
 
 
 def write_text(path: PathName, text: str) -> None:

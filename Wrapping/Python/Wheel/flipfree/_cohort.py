@@ -58,9 +58,9 @@ def cohort(
 ) -> Cohort:
     """Segments the organs and vessels that a table lists, with processes of this machine or of a Dask cluster.
 
-    Each row is an organ or a vessel. Results, scores and messages go to a folder; what is done there already, from
-    the same content of the same files with the same parameters, is kept. Needs
-    `pip install '.[cohort]'` in the source folder.
+    Each row is an organ, a vessel, or a label map, whose labels get surfaces. Results, scores and
+    messages go to a folder; what is done there already, from the same content of the same files with
+    the same parameters, is kept. Needs `pip install '.[cohort]'` in the source folder.
 
     table
         The name of a CSV file, a pandas.DataFrame, or a list of dictionaries. Columns: volume (a file
@@ -68,14 +68,15 @@ def cohort(
         flipfree.series() lists them); of an organ seed_x, seed_y, seed_z and radius (LPS mm), and if
         wanted inside, outside and boundary (lists of points, LPS mm: "1 2 3; 4 5 6") and corrections
         (a file of points, .csv or .mrk.json); of a vessel points (a list or a file) in place of all
-        of these; if wanted, case and organ (names), reference and reference_label (a label map to
-        compare with), preset, and any parameter of segment() or trace(). Other columns are copied to
+        of these; of a label map label_map (its file) in place of a volume; if wanted, case and organ
+        (names), reference and reference_label (a label map to compare with), preset, and any parameter
+        of segment() or trace(), or of surfaces() but only and iterations. Other columns are copied to
         the results. Files are found from the CSV file's folder. In dictionaries, points may be lists of
         (x, y, z) or arrays of shape (n, 3).
     output
         The folder of the results, created if absent: cohort.csv and cohort.parquet, a row per
         row; report.html, with a picture of each; and for each row a folder with its surface, label map
-        and picture, and a vessel's centerline.
+        and picture, and a vessel's centerline; of a label map, the surfaces and their table.
     scheduler
         The address of a Dask scheduler, such as tcp://10.0.0.5:8786. Its workers need the same version
         of FlipFree and the same files under the same names. By default, workers are started here, and

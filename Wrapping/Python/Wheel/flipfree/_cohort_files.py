@@ -1,8 +1,8 @@
 """What is known of a cohort's rows on the disk, so that work is done once.
 
 A row's folder has the file row.json, written last. It says what the results were made from: the content of
-the volume, of the reference and of files of points, seed, points and parameters. A file whose size and time are still those of then is not read
-again; any other is.
+the volume or label map, of the reference and of files of points, seed, points and parameters. A file whose size and
+time are still those of then is not read again; any other is.
 """
 
 from __future__ import annotations
@@ -15,10 +15,12 @@ from typing import Any
 from . import _kernels
 from ._atomic import write_text
 from ._cohort_table import Row
+from ._label_files import TABLE
 
 RECORD = "row.json"
 OUTPUTS = {"surface": "surface.vtp", "labels": "labels.nii.gz", "picture": "picture.jpg"}
 CENTERLINE = {"centerline": "centerline.vtp"}
+SURFACES = {"surfaces": TABLE}
 
 Stamp = dict[str, Any]
 
@@ -30,6 +32,8 @@ def folder_of(row: Row, output: str) -> str:
 
 def outputs_of(row: Row) -> dict[str, str]:
     """The files of a row, by the columns that name them."""
+    if row.is_label_map:
+        return SURFACES
     return {**OUTPUTS, **CENTERLINE} if row.is_vessel else OUTPUTS
 
 
@@ -61,11 +65,10 @@ def is_done(row: Row, output: str) -> bool:
 
 
 def write_record(
-    row: Row, output: str, values: dict[str, Any], inputs: dict[str, Stamp]
+    row: Row, output: str, values: dict[str, Any], inputs: dict[str, Stamp], names: list[str]
 ) -> dict[str, Any]:
-    """Writes what there is to know of a row, after its files."""
+    """Writes what there is to know of a row, after its files, which have these names."""
     folder = folder_of(row, output)
-    names = [name for name in outputs_of(row).values() if values["status"] == "done"]
     record = {
         **values,
         "request": request_of(row),
@@ -102,6 +105,7 @@ def request_of(row: Row) -> dict[str, Any]:
                 "reference_label": row.reference_label,
                 "has_reference": bool(row.reference),
                 **({"series": row.series} if row.series else {}),
+                **({"is_label_map": True} if row.is_label_map else {}),
                 **({"points": points} if points else {}),
             },
             sort_keys=True,

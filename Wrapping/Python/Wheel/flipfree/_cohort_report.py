@@ -32,8 +32,10 @@ dd { margin: 0; overflow-wrap: anywhere; }
 
 
 def report_of(rows: list[dict[str, Any]], folder: str) -> str:
-    """The file's text; failed rows first, then those of the least confidence."""
-    ordered = sorted(rows, key=lambda row: (row["status"] == "done", row["confidence"] or 0.0))
+    """The file's text; failed rows first, then those of the least confidence, and label maps last."""
+    ordered = sorted(
+        rows, key=lambda row: (row["status"] == "done", bool(row["surfaces"]), row["confidence"] or 0.0)
+    )
     failed = sum(row["status"] != "done" for row in rows)
     noun = "row" if len(rows) == 1 else "rows"
     cards = [
@@ -58,7 +60,7 @@ def report_of(rows: list[dict[str, Any]], folder: str) -> str:
 
 
 def _card(row: dict[str, Any], title: str, folder: str | None) -> str:
-    names = [row[column] for column in ("case", "organ") if row.get(column)] or [row.get("volume", "")]
+    names = [row[column] for column in ("case", "organ") if row.get(column)] or [_file_of(row)]
     parts = [f'<article class="{escape(row["status"])}">']
     if row["picture"]:
         source = row["picture"] if folder is None else _inlined(os.path.join(folder, row["picture"]))
@@ -72,7 +74,13 @@ def _card(row: dict[str, Any], title: str, folder: str | None) -> str:
 
 def _facts(row: dict[str, Any]) -> dict[str, str]:
     if row["status"] != "done":
-        return {"volume": row.get("volume", "")}
+        return {"label map" if row.get("label_map") else "volume": _file_of(row)}
+    if row["surfaces"]:  # of a label map
+        return {
+            "surfaces": row["surfaces"],
+            "volume": f"{row['segmented_ml']:.1f} ml",
+            "seconds": f"{row['seconds']:.1f}",
+        }
     facts = {}
     if row["confidence"] is not None:  # vessels have none
         facts["confidence"] = confidence_text(row["confidence"])
@@ -87,6 +95,10 @@ def _facts(row: dict[str, Any]) -> dict[str, str]:
         "stopped": f"{row['stop_reason']}, {counted(row['iterations'], 'iteration')}",
         "seconds": f"{row['seconds']:.1f}",
     }
+
+
+def _file_of(row: dict[str, Any]) -> str:
+    return str(row.get("volume") or row.get("label_map") or "")
 
 
 def _inlined(path: str) -> str:

@@ -50,9 +50,9 @@ def run_cohort(
 
 def groups_of(rows: list[Row]) -> list[list[Row]]:
     """The rows of each volume, in the table's order."""
-    groups: dict[tuple[str, str], list[Row]] = {}
+    groups: dict[tuple[bool, str, str], list[Row]] = {}
     for row in rows:
-        groups.setdefault((row.volume, row.series), []).append(row)
+        groups.setdefault((row.is_label_map, row.volume, row.series), []).append(row)
     return list(groups.values())
 
 

@@ -1,4 +1,5 @@
-"""The table of a cohort: a row is an organ or a vessel in a volume, with all that its segmentation needs."""
+"""The table of a cohort: a row is an organ or a vessel in a volume, with all that its segmentation needs, or a
+label map that gets surfaces."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, get_args
 
-from ._backend import SCORE_COLUMNS, SEGMENT_PARAMETERS, TRACE_PARAMETERS
+from ._backend import SCORE_COLUMNS, SEGMENT_PARAMETERS, SURFACES_PARAMETERS, TRACE_PARAMETERS
 from ._cohort_csv import read_csv, set_decimal_points, tidied
 from ._cohort_points import CORRECTIONS, Cell, cell_of, finite, text_of
 from ._errors import FlipFreeError
@@ -21,10 +22,12 @@ from ._types import PathName, Preset
 
 SEED = ("seed_x", "seed_y", "seed_z", "radius")
 REQUIRED = ("volume", *SEED)
-OPTIONAL = ("series", "case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
+OPTIONAL = ("label_map", "series", "case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
+# Known in tables with label maps alone. Of a segmentation, `iterations` is a result.
+LABEL_PARAMETERS = {name: entry for name, entry in SURFACES_PARAMETERS.items() if name != "iterations"}
 KNOWN = (*REQUIRED, *OPTIONAL, *SEGMENT_PARAMETERS, *TRACE_PARAMETERS)
 # All but the texts are numbers, or lists of them.
-TEXTS = ("volume", "series", "case", "organ", "reference", "preset", "corrections")
+TEXTS = ("volume", "label_map", "series", "case", "organ", "reference", "preset", "corrections")
 NUMERIC = tuple(column for column in KNOWN if column not in TEXTS)
 # The scores in a row and their columns, which name the unit: asd_mm.
 SCORES = {
@@ -52,6 +55,7 @@ RESULTS: dict[str, type] = {
     "surface": str,
     "labels": str,
     "centerline": str,
+    "surfaces": str,
     "picture": str,
     "worker": str,
 }
@@ -59,13 +63,15 @@ RESULTS: dict[str, type] = {
 
 @dataclass(frozen=True)
 class Row:
-    """One organ or vessel to segment; `problem` says why it cannot be."""
+    """One organ or vessel to segment, or a label map; `problem` says why it cannot be done."""
 
     name: str
     """Of its folder; no other row has it."""
     cells: dict[str, str]
     """As they stand in the table."""
     volume: str = ""
+    """Or the label map."""
+    is_label_map: bool = False
     series: str = ""
     """Of a folder of DICOM files, as read_image() takes it."""
     seed: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -98,25 +104,25 @@ def rows_of(table: PathName | Iterable[Mapping[str, Any]]) -> list[Row]:
         texts = [{str(key): text_of(value) for key, value in record.items()} for record in records]
         rows = [row for row in texts if any(text.strip() for text in row.values())]
         columns = list(dict.fromkeys(column for row in rows for column in row))
-    columns, rows = tidied(name, columns, rows, {*KNOWN, *RESULTS})
+    columns, rows = tidied(name, columns, rows, {*KNOWN, *_known_beside(column.lower() for column in columns), *RESULTS})
     _require_columns(name, columns)
     if may_have_commas:
-        set_decimal_points(name, rows, NUMERIC)
+        set_decimal_points(name, rows, (*NUMERIC, *_known_beside(columns)))
     if not rows:
-        raise FlipFreeError(f"'{name}' has no rows. Give one row per organ or vessel.")
+        raise FlipFreeError(f"'{name}' has no rows. Give one row per organ, vessel or label map.")
     made = [_row(cells, folder, number) for number, cells in enumerate(rows, 1)]
     _require_distinct(name, made)
     return made
 
 
 def _require_columns(name: str, columns: list[str]) -> None:
-    # Vessels have no seed.
-    required = ("volume",) if "points" in columns else REQUIRED
+    # Vessels have no seed, and label maps no volume.
+    required = () if "label_map" in columns else ("volume",) if "points" in columns else REQUIRED
     lacking = [column for column in required if column not in columns]
     if lacking:
         raise FlipFreeError(
             f"'{name}' lacks the {'columns' if lacking[1:] else 'column'} {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
-            + (" Vessels have points in their place." if set(lacking) & set(SEED) else "")
+            + (" Vessels have points in their place, and label maps label_map." if set(lacking) & set(SEED) else "")
             + (" Separate cells by commas, semicolons or tabs." if not set(columns) & set(KNOWN) else "")
         )
     taken = [column for column in columns if column in RESULTS]
@@ -124,14 +130,20 @@ def _require_columns(name: str, columns: list[str]) -> None:
         raise FlipFreeError(
             f"'{name}': the column '{taken[0]}' has the name of a result. Rename it or leave it out."
         )
+    all_known = (*KNOWN, *_known_beside(columns))
     for column in columns:
-        near = difflib.get_close_matches(column.lower(), KNOWN, n=1, cutoff=0.85)
-        near = near or [known for known in KNOWN if _is_slip(column.lower(), known)]
-        if column not in KNOWN and near:
+        near = difflib.get_close_matches(column.lower(), all_known, n=1, cutoff=0.85)
+        near = near or [known for known in all_known if _is_slip(column.lower(), known)]
+        if column not in all_known and near:
             raise FlipFreeError(
                 f"'{name}': the column '{column}' is nearly '{near[0]}'. Correct it, or rename it if it "
                 "is something else."
             )
+
+
+def _known_beside(columns: Iterable[str]) -> tuple[str, ...]:
+    """What a table of label maps knows besides."""
+    return tuple(LABEL_PARAMETERS) if "label_map" in columns else ()
 
 
 def _is_slip(word: str, known: str) -> bool:
@@ -146,22 +158,26 @@ def _is_slip(word: str, known: str) -> bool:
 
 
 def _row(cells: Mapping[str, str], folder: str, number: int = 1) -> Row:
-    given = {column: text.strip() for column, text in cells.items() if text and text.strip()}
+    unknown = set(LABEL_PARAMETERS) - {*KNOWN, *_known_beside(cells)}
+    given = {
+        column: text.strip() for column, text in cells.items() if text and text.strip() and column not in unknown
+    }
     row = Row(name=_name(given), cells=dict(cells), number=number)
     try:
-        return replace(row, **(_vessel if "points" in given else _organ)(given, folder))
+        make = _label_map if "label_map" in given else _vessel if "points" in given else _organ
+        return replace(row, **make(given, folder))
     except ValueError as error:
         return replace(row, problem=f"row {number}, column {error}")
 
 
 def _organ(given: Mapping[str, str], folder: str) -> dict[str, Any]:
     if not any(column in given for column in SEED[:3]):
-        raise ValueError("seed_x: the cell is empty; a row needs a seed, or points in a vessel")
+        raise ValueError("seed_x: the cell is empty; a row needs a seed, or points in a vessel, or a label map")
     return {
         **_files(given, folder),
         "seed": (_number(given, "seed_x"), _number(given, "seed_y"), _number(given, "seed_z")),
         "radius": _number(given, "radius"),
-        "parameters": _parameters(given, "an organ", SEGMENT_PARAMETERS, TRACE_PARAMETERS),
+        "parameters": _parameters(given, "an organ", SEGMENT_PARAMETERS),
         "points": {name: cell_of(name, given[name], folder) for name in CORRECTIONS if name in given},
     }
 
@@ -174,8 +190,22 @@ def _vessel(given: Mapping[str, str], folder: str) -> dict[str, Any]:
             )
     return {
         **_files(given, folder),
-        "parameters": _parameters(given, "a vessel", TRACE_PARAMETERS, SEGMENT_PARAMETERS),
+        "parameters": _parameters(given, "a vessel", TRACE_PARAMETERS),
         "points": {"points": cell_of("points", given["points"], folder)},
+    }
+
+
+def _label_map(given: Mapping[str, str], folder: str) -> dict[str, Any]:
+    for column in (*REQUIRED, "series", "reference", "reference_label", "preset", "points", *CORRECTIONS):
+        if column in given:
+            raise ValueError(
+                f"{column}: a row with a label map takes no volume, reference, seed or points; empty this cell, or that "
+                "of label_map"
+            )
+    return {
+        "volume": _path(folder, given["label_map"]),
+        "is_label_map": True,
+        "parameters": _parameters(given, "a label map", LABEL_PARAMETERS),
     }
 
 
@@ -193,9 +223,13 @@ def _name(given: Mapping[str, str]) -> str:
     """Case and organ, or else the volume's name and a few letters that stand for its seed or points."""
     words = [given[column] for column in ("case", "organ") if column in given]
     if "case" not in given:
-        stem = re.sub(r"\.(nii|nii\.gz|nrrd|nhdr|mha|mhd)$", "", os.path.basename(given.get("volume", "")))
+        file = os.path.basename(given.get("volume", given.get("label_map", "")))
+        stem = re.sub(r"\.(nii|nii\.gz|nrrd|nhdr|mha|mhd)$", "", file)
         seed = " ".join(
-            [*(given.get(column, "") for column in REQUIRED), *given.get("points", "").split(), *given.get("series", "").split()]
+            [
+                *(given.get(column, "") for column in REQUIRED),
+                *(word for column in ("points", "series", "label_map") for word in given.get(column, "").split()),
+            ]
         )
         words = [stem or "row", *words, hashlib.sha256(seed.encode()).hexdigest()[:6]]
     return re.sub(r"[^\w.-]+", "_", "-".join(words)).strip("._") or "row"
@@ -215,10 +249,7 @@ def _require_distinct(name: str, rows: list[Row]) -> None:
 
 
 def _parameters(
-    given: Mapping[str, str],
-    what: str,
-    own: Mapping[str, Parameter],
-    others: Mapping[str, Parameter],
+    given: Mapping[str, str], what: str, own: Mapping[str, Parameter]
 ) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for column in given:
@@ -231,7 +262,7 @@ def _parameters(
                     f"preset: '{given[column]}' does not exist; there are {', '.join(get_args(Preset))}"
                 )
             values[column] = given[column]
-        elif column in others and column not in SEED:
+        elif column in (*SEGMENT_PARAMETERS, *TRACE_PARAMETERS, *LABEL_PARAMETERS) and column not in SEED:
             raise ValueError(f"{column}: {what} has no such parameter; empty the cell")
     return values
 

@@ -30,10 +30,13 @@ from ._errors import FlipFreeError, FlipFreeWarning
 from ._evaluate import evaluate
 from ._files import read_image, write_image
 from ._image import Image
+from ._image_files import read_labels
+from ._label_files import write_label_surfaces
 from ._picture import write_picture
 from ._segment import segment
 from ._segmentation import Segmentation, Vessel
 from ._surface_files import write_centerline, write_surface
+from ._surfaces import surfaces as make_surfaces
 from ._trace import trace
 
 # Side of a row's picture, in pixels.
@@ -58,8 +61,12 @@ class _Volume:
     def read(self, row: Row) -> Image:
         if self.image is None:
             start = time.perf_counter()
-            with _said_of(row, "columns volume and series" if row.series else "column volume"):
-                self.image = read_image(row.volume, series=row.series or None)
+            if row.is_label_map:
+                with _said_of(row, "column label_map"):
+                    self.image, _ = read_labels(row.volume, "")
+            else:
+                with _said_of(row, "columns volume and series" if row.series else "column volume"):
+                    self.image = read_image(row.volume, series=row.series or None)
             self.stamp = stamp_of(row.volume)
             self.seconds = time.perf_counter() - start
         return self.image
@@ -78,6 +85,7 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
         "worker": f"{socket.gethostname()}:{os.getpid()}",
     }
     inputs: dict[str, Stamp] = {}
+    files: list[str] = []
     start = time.perf_counter()
     try:
         if not row.problem:
@@ -92,7 +100,8 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
                     for role, path in inputs_of(row).items()
                     if role != "volume" and os.path.exists(path)
                 }
-                values.update(_results(row, output, image))
+                results, files = (_surfaces if row.is_label_map else _results)(row, output, image)
+                values.update(results)
             inputs["volume"] = volume.stamp
             values["message"] = "; ".join(str(entry.message) for entry in caught)
             values["status"] = "done"
@@ -104,10 +113,40 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
         values["message"] = f"{type(error).__name__}: {' '.join(str(error).split())}"
     values["seconds_reading"] = round(volume.seconds, 3)
     values["seconds"] = round(time.perf_counter() - start, 3)
-    return _recorded(row, output, values, inputs)
+    earlier = _files_there(row, output)
+    if values["status"] != "done":
+        files = earlier  # so that the next results know of them
+    _remove(earlier, files, folder_of(row, output))
+    return _recorded(row, output, values, inputs, files)
 
 
-def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
+def _files_there(row: Row, output: str) -> list[str]:
+    """Those of earlier results."""
+    sizes = (record_of(row, output) or {}).get("sizes") or ()
+    folder = folder_of(row, output)
+    return [name for name in map(os.path.basename, sizes) if os.path.isfile(os.path.join(folder, name))]
+
+
+def _remove(earlier: list[str], files: list[str], folder: str) -> None:
+    """Of the earlier files those that the new ones do not replace; their names may differ in case alone."""
+    kept = {name.lower() for name in files}
+    for name in earlier:
+        if name.lower() not in kept:
+            with contextlib.suppress(OSError):
+                os.remove(os.path.join(folder, name))
+
+
+def _surfaces(row: Row, output: str, image: Image) -> tuple[dict[str, Any], list[str]]:
+    """What is known of the surfaces of a label map, and the names of their files."""
+    with _said_of(row):
+        found = make_surfaces(image, **row.parameters)
+    files = write_label_surfaces(found, folder_of(row, output), "stl")
+    volume = sum(measures.volume for measures in found.labels.values())
+    return {"segmented_ml": round(volume, 3), **_names(row)}, files
+
+
+def _results(row: Row, output: str, image: Image) -> tuple[dict[str, Any], list[str]]:
+    """What is known of an organ or a vessel, and the names of its files."""
     organ = _found(row, image)
     values: dict[str, Any] = {
         "series_read": image.series or None,
@@ -128,8 +167,12 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
             for field, column in SCORES.items()
         )
     _write(row, output, image, organ)
-    names = {role: f"rows/{row.name}/{name}" for role, name in outputs_of(row).items()}
-    return {**values, **names}
+    return {**values, **_names(row)}, list(outputs_of(row).values())
+
+
+def _names(row: Row) -> dict[str, str]:
+    """Of its files, by the columns that name them."""
+    return {role: f"rows/{row.name}/{name}" for role, name in outputs_of(row).items()}
 
 
 def _first_place(organ: Segmentation) -> str | None:
@@ -170,6 +213,8 @@ def _columns_of(row: Row, text: str) -> str:
         return "column"
     if re.search(r"\bthe seed\b", text):
         return "columns seed_x, seed_y, seed_z and radius"
+    if row.is_label_map:
+        return "column label_map"
     kinds = [kind for kind in ("inside", "outside", "boundary") if f"the {kind} point" in text]
     return f"column {kinds[0]}" if kinds else "column points" if row.is_vessel else ""
 
@@ -189,10 +234,10 @@ def _write(row: Row, output: str, image: Image, organ: Segmentation) -> None:
 
 
 def _recorded(
-    row: Row, output: str, values: dict[str, Any], inputs: dict[str, Stamp]
+    row: Row, output: str, values: dict[str, Any], inputs: dict[str, Stamp], files: list[str]
 ) -> dict[str, Any]:
     try:
         os.makedirs(folder_of(row, output), exist_ok=True)
-        return write_record(row, output, values, inputs)
+        return write_record(row, output, values, inputs, files)
     except OSError as error:
         return {**values, "status": "failed", "message": values["message"] or str(error)}

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import sys
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from . import _kernels
-from ._atomic import replacing, write_table, write_text
-from ._errors import FileError
+from ._atomic import write_table, write_text
 from ._files import write_image
 from ._image import Image
 from ._questions import COLUMNS
@@ -24,15 +21,6 @@ SHARED = ("--labels", "--save-session")
 def wants_bar(request: Any) -> bool:
     """Whether somebody looks at the terminal."""
     return not request.quiet and sys.stderr.isatty()
-
-
-def write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], None]) -> None:
-    """Writes under another name, which becomes the path's when `files` ends."""
-    temporary = files.enter_context(replacing(path))
-    try:
-        write(temporary)
-    except FileError as error:
-        raise FileError(str(error).replace(temporary, path)) from error
 
 
 def write_output(option: str, organ: Segmentation, image: Image, names: Any, path: str) -> None:

@@ -8,11 +8,11 @@ from functools import partial
 from typing import Any
 
 from . import _kernels
-from ._atomic import write_text
+from ._atomic import write_text, write_to
 from ._backend import set_threads
 from ._command import say
 from ._command_ask import ask
-from ._command_outputs import SHARED, wants_bar, write_output, write_to
+from ._command_outputs import SHARED, wants_bar, write_output
 from ._corrections import Constraint, answers_of
 from ._errors import FileError, FlipFreeError
 from ._files import read_image, write_image

@@ -7,9 +7,10 @@ from functools import partial
 from typing import Any
 
 from . import _kernels
+from ._atomic import write_to
 from ._backend import set_threads
 from ._command import say
-from ._command_outputs import wants_bar, write_output, write_to
+from ._command_outputs import wants_bar, write_output
 from ._errors import FlipFreeError
 from ._files import read_image
 from ._picture import require_matplotlib

@@ -15,7 +15,7 @@ placed with the mouse.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ._extras import missing
@@ -33,8 +33,9 @@ from ._image import Image
 from ._picture import CONTOUR, FRAME, INK, ORGAN, VIEWS, Region
 from ._placing import Placing
 from ._segment import segment as segment_organ
-from ._segmentation import Segmentation, Surface
+from ._segmentation import Segmentation, Surface, surface_of_label
 from ._pyvista_views import add_contour, add_slice, look
+from ._surfaces import surfaces as surfaces_of_labels
 from ._types import PathName
 from ._vtk_objects import imagedata_of, polydata_of
 
@@ -89,6 +90,23 @@ def evaluate(
 ) -> Scores:
     """Compares a surface or a label map with a reference label map; parameters as of flipfree.evaluate."""
     return evaluate_segmentation(segmentation, reference, **parameters)
+
+
+def surfaces(labels: pyvista.ImageData, only: Iterable[int] = (), **parameters: Any) -> pyvista.MultiBlock:
+    """The surfaces of a label map, the active scalars, as flipfree.surfaces makes them.
+
+    A block is the surface of a label, under the label's number, with the field data `Label`, `Name` and
+    `Certified`; a label of which no part is left has none. Parameters as of flipfree.surfaces.
+    """
+    found = surfaces_of_labels(adopted("labels", labels), only, **parameters)
+    blocks = pyvista.MultiBlock()
+    for label, measures in found.labels.items():
+        if measures.triangles:
+            surface = polydata(surface_of_label(found, label))
+            surface.field_data["Label"] = [label]
+            surface.field_data["Name"] = [measures.name]
+            blocks.append(surface, str(label))
+    return blocks
 
 
 def plotter(
@@ -146,6 +164,10 @@ class ImageAccessor:
     ) -> Scores:
         """The scores of a segmentation, with this image as the reference label map."""
         return evaluate(self._image, segmentation, **parameters)
+
+    def surfaces(self, only: Iterable[int] = (), **parameters: Any) -> pyvista.MultiBlock:
+        """The surfaces of this label map; see flipfree.pyvista.surfaces."""
+        return surfaces(self._image, only, **parameters)
 
     def plotter(self, *surfaces: pyvista.PolyData, **options: Any) -> pyvista.Plotter:
         """Slices with contours, and the surfaces; see flipfree.pyvista.plotter."""
