@@ -92,7 +92,7 @@ def cohort(
     >>> flipfree.cohort([{"volume": "ct.nii.gz", "seed": (1, 2, 3)}], "results")
     Traceback (most recent call last):
       ...
-    flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed. Vessels have points in their place.
+    flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed. Vessels have points in their place, and label maps the column label_map.
     """
     for name, number, least in (("threads", threads, 1), ("workers", workers, 0)):
         if number < least:

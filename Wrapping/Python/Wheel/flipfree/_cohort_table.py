@@ -122,7 +122,7 @@ def _require_columns(name: str, columns: list[str]) -> None:
     if lacking:
         raise FlipFreeError(
             f"'{name}' lacks the {'columns' if lacking[1:] else 'column'} {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
-            + (" Vessels have points in their place, and label maps label_map." if set(lacking) & set(SEED) else "")
+            + (" Vessels have points in their place, and label maps the column label_map." if set(lacking) & set(SEED) else "")
             + (" Separate cells by commas, semicolons or tabs." if not set(columns) & set(KNOWN) else "")
         )
     taken = [column for column in columns if column in RESULTS]
