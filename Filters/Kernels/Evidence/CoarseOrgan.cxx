@@ -51,32 +51,20 @@ double CoarseOrgan::SupportOf(const BitMask& blocks) const
   return BoundarySupport(this->View(), blocks, this->LeastContrast);
 }
 
-std::vector<BitMask> CoarseOrgan::Grow(const std::vector<double>& masses) const
-{
-  std::vector<BitMask> carved(masses.size());
-  // Side by side: on so few blocks, each pass is too short for several threads.
-  this->Parallel(0, static_cast<std::ptrdiff_t>(masses.size()),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (std::ptrdiff_t index = first; index < last; ++index)
-      {
-        this->Grow(masses[index], carved[index]);
-      }
-    });
-  return carved;
-}
-
-void CoarseOrgan::Grow(double mass, BitMask& carved) const
+bool CoarseOrgan::Grow(double mass, const Monitor& monitor, BitMask& carved) const
 {
   const ImageGeometry& blocks = this->Grid.Blocks;
   BitMask grown;
-  FindForegroundInBox(this->View(), WholeBox(blocks), NarrowedTo(mass, this->OfSeed), this->Seed,
-    RadiiOf(this->Settings.Leaks, this->Seed.Radius, blocks), SerialFor, NeverStop, grown);
-  if (grown.Count() != 0)
+  if (!FindForegroundInBox(this->View(), WholeBox(blocks), NarrowedTo(mass, this->OfSeed),
+        this->Seed, RadiiOf(this->Settings.Leaks, this->Seed.Radius, blocks), this->Parallel,
+        monitor, grown))
   {
-    CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
-      SerialFor, NeverStop, carved, nullptr);
+    return false;
   }
+  carved = BitMask();
+  return grown.Count() == 0 ||
+    CarveOrgan(this->View(), grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
+      this->Parallel, monitor, carved, nullptr);
 }
 
 } // namespace FlipFree

@@ -39,13 +39,11 @@ public:
   double SupportOf(const BitMask& blocks) const;
   double GetLeastContrast() const { return this->LeastContrast; }
 
-  /// Grows from the seed by the gray values that hold each of these parts of the seed's mass, and
-  /// carves; without a grid where nothing grows. Cannot be stopped: on so few blocks it is done in
-  /// tenths of a second.
-  std::vector<BitMask> Grow(const std::vector<double>& masses) const;
+  /// Grows from the seed by the gray values that hold this part of the seed's mass, and carves;
+  /// without a grid where nothing grows. Returns false if the monitor stopped it.
+  bool Grow(double mass, const Monitor& monitor, BitMask& carved) const;
 
 private:
-  void Grow(double mass, BitMask& carved) const;
   ImageView<float> View() const { return { this->Means.data(), this->Grid.Blocks }; }
 
   const SeedSphere& Seed;

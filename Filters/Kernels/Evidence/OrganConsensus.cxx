@@ -215,20 +215,20 @@ private:
       this->Noise, this->Settings, ofSeed, this->Parallel);
     const double coarseSupport = coarse.SupportOf(coarse.BlocksOf(best));
     std::optional<double> support; // takes time, and mostly blocks tell enough
-    const std::vector<BitMask> blocks = coarse.Grow({ NarrowMasses.begin(), NarrowMasses.end() });
-    for (std::size_t index = 0; index < blocks.size(); ++index)
+    for (const double mass : NarrowMasses)
     {
-      if (!this->Proceed()(0))
+      BitMask blocks;
+      if (!coarse.Grow(mass, this->Proceed(), blocks))
       {
         return false;
       }
-      if (!blocks[index].HasGrid() || coarse.SupportOf(blocks[index]) <= coarseSupport)
+      if (!blocks.HasGrid() || coarse.SupportOf(blocks) <= coarseSupport)
       {
         ++this->Grown;
         continue;
       }
       const std::optional<BitMask> grown =
-        this->Grow(this->Image.View(), NarrowedTo(NarrowMasses[index], ofSeed), 1);
+        this->Grow(this->Image.View(), NarrowedTo(mass, ofSeed), 1);
       std::optional<BitMask> other = grown ? this->Carve(*grown, nullptr) : std::nullopt;
       if (this->Remembering.HasStopped())
       {

@@ -84,10 +84,15 @@ public:
         return false;
       }
     }
-    for (const BitMask& carved : this->Organ.Grow({ CoarseMasses.begin(), CoarseMasses.end() }))
+    for (const double mass : CoarseMasses)
     {
+      BitMask carved;
+      if (!this->Organ.Grow(mass, this->Proceed(), carved))
+      {
+        return false;
+      }
       ++this->Done;
-      if (!this->Proceed()(0) || (carved.HasGrid() && !this->AddParts(carved)))
+      if (carved.HasGrid() && !this->AddParts(carved))
       {
         return false;
       }
