@@ -24,12 +24,17 @@ from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 
+def write_points(points, first, file):
+    """Lines of a number, counted from `first`, and the coordinates."""
+    numbers = numpy.arange(first, first + len(points))
+    numpy.savetxt(file, numpy.column_stack([numbers, points]), fmt="%d %.17g %.17g %.17g")
+
+
 def write_for_tetgen(walls, name):
     """Points and facets; no holes, and no regions, since TetGen numbers these itself."""
     with open(name, "w", encoding="ascii") as file:
         file.write(f"{len(walls.points)} 3 0 0\n")
-        numbered = numpy.column_stack([numpy.arange(len(walls.points)), walls.points])
-        numpy.savetxt(file, numbered, fmt="%d %.17g %.17g %.17g")
+        write_points(walls.points, 0, file)
         file.write(f"{len(walls.triangles)} 0\n")
         numpy.savetxt(file, walls.triangles, fmt="3 %d %d %d")
         file.write("0\n0\n")
@@ -41,8 +46,7 @@ def write_for_gmsh(walls, folder):
     surface = surface.ravel() + 1
     with open(os.path.join(folder, "walls.msh"), "w", encoding="ascii") as file:
         file.write(f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{len(walls.points)}\n")
-        numbers = numpy.arange(1, len(walls.points) + 1)
-        numpy.savetxt(file, numpy.column_stack([numbers, walls.points]), fmt="%d %.17g %.17g %.17g")
+        write_points(walls.points, 1, file)
         file.write(f"$EndNodes\n$Elements\n{len(walls.triangles)}\n")
         numbers = numpy.arange(1, len(walls.triangles) + 1)
         elements = numpy.column_stack([numbers, surface, surface, walls.triangles + 1])
@@ -96,7 +100,7 @@ def usual_surface(image, label):
 
 
 def fill_usual_surfaces(image, labels, folder):
-    """The least and the median shapes of tetrahedra, and the labels that TetGen does not fill."""
+    """The shapes of the tetrahedra of all labels, and the labels that TetGen does not fill."""
     shapes, refused = [], []
     for label in labels:
         name = os.path.join(folder, f"usual-{label}.off")

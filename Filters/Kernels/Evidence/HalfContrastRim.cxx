@@ -241,8 +241,6 @@ private:
 
 } // namespace
 
-// Blocks of the shell may go on for a few millimeters; what the part does not hold of them does not
-// count.
 std::array<int, 3> RimReachOf(const ImageGeometry& geometry, int calls)
 {
   std::array<int, 3> voxels = BallReach(ShellEnd + calls * RimReach, geometry);

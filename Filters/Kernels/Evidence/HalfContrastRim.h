@@ -21,7 +21,9 @@ namespace FlipFree
 bool GrowRim(const ImagePart& image, double noise, Modality modality,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask);
 
-/// How far outside the mask the image is read by that many calls, in voxels.
+/// How far outside the mask the image is read by that many calls, in voxels. Blocks, of which the
+/// surroundings consist, may go on for a few millimeters; what the part does not hold of them does
+/// not count.
 std::array<int, 3> RimReachOf(const ImageGeometry& geometry, int calls);
 
 } // namespace FlipFree

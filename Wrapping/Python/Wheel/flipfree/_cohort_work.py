@@ -114,9 +114,10 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
     values["seconds_reading"] = round(volume.seconds, 3)
     values["seconds"] = round(time.perf_counter() - start, 3)
     earlier = _files_there(row, output)
-    if values["status"] != "done":
+    if values["status"] == "done":
+        _remove(earlier, files, folder_of(row, output))
+    else:
         files = earlier  # so that the next results know of them
-    _remove(earlier, files, folder_of(row, output))
     return _recorded(row, output, values, inputs, files)
 
 
