@@ -18,7 +18,8 @@
  * SmallestPart and FillCavities, both off by default, take parts away before: small ones of labels,
  * and background that labels enclose. What goes takes the label with which it has the most faces of
  * voxels in common, or background, if that is it: so there is still one wall between two labels,
- * and all else is as if the label map had come like that. Its voxels count as wrong ones.
+ * and all else is as if the label map had come like that. Its voxels count as wrong ones. So do
+ * those that FillTunnels gives to a label, to close narrow tunnels through it.
  *
  * Where labels touch only by an edge or a corner of voxels, they are joined if most of the eight
  * voxels there are theirs, and apart if not.
@@ -46,7 +47,7 @@
  *
  * Errors, with a code of FlipFreeErrorCode.h and with empty outputs: an image without voxels,
  * scalars of one component or a proper grid; a voxel that is negative or no whole number; no
- * labels, more than 100,000 of them, or none of a value that AddLabel() asks for; voxels so small,
+ * labels, more than 65,000 of them, or none of a value that AddLabel() asks for; voxels so small,
  * so far from the origin, that single precision cannot hold the surfaces; no part of any label that
  * is as large as SmallestPart; a property that is not a number.
  *
@@ -132,6 +133,16 @@ public:
   void SetFillCavities(bool value);
   bool GetFillCavities() const;
   vtkBooleanMacro(FillCavities, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Close tunnels through the parts of labels if no ball of this diameter passes, by a sheet of
+   * voxels where they are narrow. A tunnel through which another label runs stays open. Millimeters,
+   * exact to a voxel; default 0, which leaves all open, 0 to 10^6.
+   */
+  void SetFillTunnels(double value);
+  double GetFillTunnels() const;
   ///@}
 
   ///@{

@@ -1,20 +1,24 @@
 // The surfaces of the labels of label maps, exact and smooth, both also as coarse as the tolerance
 // allows, and exact ones of parts of at least 100 mm3 without cavities; beside them those of the
 // usual chain, as 3D Slicer has it: vtkDiscreteFlyingEdges3D and vtkWindowedSincPolyDataFilter, a
-// label at a time.
+// label at a time; and those of surface nets and zmesh, where a Python has them
+// (label_surface_peers.py).
 //
-//   MeasureLabelSurfaces [--folder DIR] LABELS ...
+//   MeasureLabelSurfaces [--folder DIR] [--peers PYTHON] LABELS ...
 //
 // A row per label map and way:
 //
 //   invalid    labels whose STL file, read back, is not closed, has an edge on other than two
 //              triangles, or has triangles that intersect, as CGAL finds them
-//   differing  voxels that are other ones once the surfaces are voxelized; "-" where some cannot be
+//   differing  voxels that are other ones once the surfaces are voxelized, those that are not
+//   closed by
+//              vtkPolyDataToImageStencil
 //   rough      angle between the normals of neighboring triangles, degrees: root of the mean
 //              square, and median, over all labels
 //   volume     greatest deviation of labels of more than 1,000 voxels, percent
 //   collapse   greatest distance to the walls before edges were collapsed, mm
-//   seconds    in memory, without files; memory is the peak above that of the label map
+//   seconds    in memory, without files; memory is the peak above that of the label map (of what
+//              Python made, that of reading it back)
 #include "CaseList.h"
 #include "FindWithCGAL.h"
 #include "LabelAdapter.h"
@@ -27,10 +31,13 @@
 #include "vtkFlipFreeLabelSurfaces.h"
 #include "vtkImageConstantPad.h"
 #include "vtkImageData.h"
+#include "vtkImageStencilData.h"
 #include "vtkMedicalImageReader.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataToImageStencil.h"
 #include "vtkSTLReader.h"
 #include "vtkSTLWriter.h"
 #include "vtkWindowedSincPolyDataFilter.h"
@@ -41,12 +48,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <map>
 
 namespace
 {
 
+namespace fs = std::filesystem;
 using Surfaces = std::map<int, vtkSmartPointer<vtkPolyData>>;
 
 enum class Mode
@@ -117,6 +128,14 @@ Surfaces ByUsualChain(vtkImageData* labels, const std::map<int, std::size_t>& vo
   return surfaces;
 }
 
+vtkSmartPointer<vtkPolyData> ReadStl(const std::string& file)
+{
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
 bool IsValidFile(vtkPolyData* surface, const std::string& name)
 {
   if (surface->GetNumberOfPolys() == 0)
@@ -128,10 +147,7 @@ bool IsValidFile(vtkPolyData* surface, const std::string& name)
   writer->SetFileName(name.c_str());
   writer->SetFileTypeToBinary();
   writer->Write();
-  vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  const auto found = FlipFree::SurfaceOf(reader->GetOutput(), "the surface");
+  const auto found = FlipFree::SurfaceOf(ReadStl(name), "the surface");
   for (const FlipFree::SurfaceEdge& edge :
     FlipFree::CollectEdges(static_cast<int>(found.Points.rows()), found.Faces))
   {
@@ -170,13 +186,52 @@ void AppendAngles(const FlipFree::PolygonalSurface& surface, std::vector<double>
   }
 }
 
-// The labels of the voxels in the surfaces; false where one is not closed.
-bool Voxelize(const Surfaces& surfaces, vtkImageData* labels, std::vector<int>& voxels)
+// Adds the voxels in a surface that is not closed everywhere, as VTK's stencil has them.
+void FillByStencil(vtkPolyData* surface, int label, const FlipFree::ImageGeometry& geometry,
+  std::vector<int>& voxels)
+{
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(surface->GetPoints());
+  for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+  {
+    const Eigen::Map<const Eigen::Vector3d> place(surface->GetPoint(point));
+    points->SetPoint(point, geometry.ToIndex(place).data());
+  }
+  vtkNew<vtkPolyData> inIndices;
+  inIndices->ShallowCopy(surface);
+  inIndices->SetPoints(points);
+  vtkNew<vtkPolyDataToImageStencil> stencil;
+  stencil->SetInputData(inIndices);
+  stencil->SetOutputWholeExtent(0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
+    geometry.Dimensions[2] - 1);
+  stencil->Update();
+  for (int k = 0; k < geometry.Dimensions[2]; ++k)
+  {
+    for (int j = 0; j < geometry.Dimensions[1]; ++j)
+    {
+      int begin = 0;
+      int end = 0;
+      for (int next = 0; stencil->GetOutput()->GetNextExtent(begin, end, 0,
+                           geometry.Dimensions[0] - 1, j, k, next) != 0;)
+      {
+        std::fill(&voxels[geometry.Offset(begin, j, k)], &voxels[geometry.Offset(end, j, k)] + 1,
+          label);
+      }
+    }
+  }
+}
+
+// The labels of the voxels in the surfaces.
+std::vector<int> Voxelize(const Surfaces& surfaces, vtkImageData* labels)
 {
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(labels);
-  voxels.assign(geometry.NumberOfVoxels(), 0);
+  std::vector<int> voxels(geometry.NumberOfVoxels(), 0);
   for (const auto& [label, data] : surfaces)
   {
+    if (data->GetNumberOfPolys() == 0)
+    {
+      continue;
+    }
     try
     {
       const auto surface = FlipFree::SurfaceOf(data, "the surface");
@@ -186,19 +241,52 @@ bool Voxelize(const Surfaces& surfaces, vtkImageData* labels, std::vector<int>& 
     }
     catch (const FlipFree::Error&)
     {
-      return false;
+      FillByStencil(data, label, geometry, voxels);
     }
   }
-  return true;
+  return voxels;
 }
 
 struct Way
 {
-  const char* Name;
+  std::string Name;
   std::function<Surfaces()> Make;
+  double Seconds = 0; // if it was timed elsewhere
 };
 
-void Measure(const std::string& file, const std::string& folder)
+// What a Python with other software makes of a label map.
+std::vector<Way> PeersOf(const std::string& python, const std::string& file, const fs::path& folder)
+{
+  fs::remove_all(folder);
+  const std::string command =
+    python + " \"" FLIPFREE_LABEL_SURFACE_PEERS "\" \"" + file + "\" \"" + folder.string() + "\"";
+  if (std::system(command.c_str()) != 0)
+  {
+    throw std::runtime_error("failed: " + command);
+  }
+  std::vector<Way> ways;
+  for (const fs::directory_entry& way : fs::directory_iterator(folder))
+  {
+    const auto read = [way]
+    {
+      Surfaces surfaces;
+      for (const fs::directory_entry& entry : fs::directory_iterator(way))
+      {
+        if (entry.path().extension() == ".stl")
+        {
+          surfaces[std::stoi(entry.path().stem())] = ReadStl(entry.path());
+        }
+      }
+      return surfaces;
+    };
+    double seconds = 0;
+    std::ifstream(way.path() / "seconds") >> seconds;
+    ways.push_back({ way.path().filename(), read, seconds });
+  }
+  return ways;
+}
+
+void Measure(const std::string& file, const std::string& folder, const std::string& peers)
 {
   vtkNew<vtkMedicalImageReader> reader;
   reader->SetFileName(file.c_str());
@@ -219,21 +307,29 @@ void Measure(const std::string& file, const std::string& folder)
       ++voxels[label];
     }
   }
-  const std::string name = std::filesystem::path(file).stem().stem().string();
+  const std::string name = fs::path(file).stem().stem().string();
   double collapse = 0;
   const auto ours = [&](bool exact, Mode mode)
   { return [&, exact, mode] { return ByFlipFree(labels, exact, mode, collapse); }; };
-  for (const Way& way :
-    { Way{ "exact", ours(true, Mode::Fine) }, Way{ "exact, coarse", ours(true, Mode::Coarse) },
-      Way{ "exact, large parts", ours(true, Mode::LargeParts) },
-      Way{ "smooth", ours(false, Mode::Fine) }, Way{ "smooth, coarse", ours(false, Mode::Coarse) },
-      Way{ "usual chain", [&] { return ByUsualChain(labels, voxels); } } })
+  std::vector<Way> ways{ { "exact", ours(true, Mode::Fine) },
+    { "exact, coarse", ours(true, Mode::Coarse) },
+    { "exact, large parts", ours(true, Mode::LargeParts) }, { "smooth", ours(false, Mode::Fine) },
+    { "smooth, coarse", ours(false, Mode::Coarse) },
+    { "usual chain", [&] { return ByUsualChain(labels, voxels); } } };
+  if (!peers.empty())
+  {
+    for (Way& way : PeersOf(peers, file, fs::path(folder) / "flipfree-peers"))
+    {
+      ways.push_back(std::move(way));
+    }
+  }
+  for (const Way& way : ways)
   {
     collapse = 0;
     const double before = ResetPeakMemory();
     FlipFree::Stopwatch watch;
     const Surfaces surfaces = way.Make();
-    const double seconds = watch.Lap();
+    const double seconds = way.Seconds > 0 ? way.Seconds : watch.Lap();
     const double memory = PeakMemory() - before;
     int invalid = 0;
     std::vector<double> angles;
@@ -257,16 +353,11 @@ void Measure(const std::string& file, const std::string& folder)
           std::max(deviation, std::abs(volume / static_cast<double>(voxels[label]) - 1) * 100);
       }
     }
-    std::vector<int> found;
-    std::string differing = "-";
-    if (Voxelize(surfaces, labels, found))
+    const std::vector<int> found = Voxelize(surfaces, labels);
+    std::size_t differing = 0;
+    for (std::size_t voxel = 0; voxel < found.size(); ++voxel)
     {
-      std::size_t count = 0;
-      for (std::size_t voxel = 0; voxel < found.size(); ++voxel)
-      {
-        count += found[voxel] != wanted[voxel] ? 1 : 0;
-      }
-      differing = std::to_string(count);
+      differing += found[voxel] != wanted[voxel] ? 1 : 0;
     }
     double squares = 0;
     for (const double angle : angles)
@@ -275,8 +366,8 @@ void Measure(const std::string& file, const std::string& folder)
     }
     std::nth_element(angles.begin(),
       angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2), angles.end());
-    std::printf("| %s | %s | %zu | %zu | %d | %s | %.1f, %.1f | %.2f | %.2f | %.2f | %.0f |\n",
-      name.c_str(), way.Name, voxels.size(), triangles, invalid, differing.c_str(),
+    std::printf("| %s | %s | %zu | %zu | %d | %zu | %.1f, %.1f | %.2f | %.2f | %.2f | %.0f |\n",
+      name.c_str(), way.Name.c_str(), voxels.size(), triangles, invalid, differing,
       std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, angles.size()))),
       angles.empty() ? 0.0 : angles[angles.size() / 2], deviation, collapse, seconds,
       memory / (1 << 20));
@@ -289,9 +380,11 @@ void Measure(const std::string& file, const std::string& folder)
 int main(int argc, char* argv[])
 {
   std::string folder = std::filesystem::temp_directory_path().string();
+  std::string peers;
   std::vector<std::string> files;
   CLI::App app("Measures surfaces of labels, ours and those of the usual chain.");
   app.add_option("--folder", folder, "where files are written")->capture_default_str();
+  app.add_option("--peers", peers, "a Python that has other software");
   app.add_option("labels", files, "label maps")->required();
   CLI11_PARSE(app, argc, argv);
   std::puts(
@@ -301,7 +394,7 @@ int main(int argc, char* argv[])
   {
     for (const std::string& file : files)
     {
-      Measure(file, folder);
+      Measure(file, folder, peers);
     }
   }
   catch (const std::exception& error)

@@ -1,7 +1,7 @@
 // Label maps to surfaces: closed, 2-manifold and embedded for any labels, with the voxels of the
 // label map where they are exact.
 #include "LabelSurface/LabelCells.h"
-#include "LabelSurface/SmoothLabels.h"
+#include "LabelSurface/SimpleVoxel.h"
 
 #include "Error.h"
 #include "ExampleLabelMaps.h"
@@ -294,7 +294,7 @@ TEST(LabelSurfaces, RefuseWhatIsNoLabelMap)
   {
     noise.Voxels[voxel] = static_cast<int>(voxel);
   }
-  EXPECT_NE(MessageFor(noise).find("more than 100000 different values"), std::string::npos);
+  EXPECT_NE(MessageFor(noise).find("more than 65000 different values"), std::string::npos);
 
   const std::vector<float> halves{ 0, 1.5F };
   ImageGeometry geometry;
@@ -320,6 +320,8 @@ TEST(LabelSurfaces, KnowSimpleVoxels)
   EXPECT_TRUE(IsSimpleVoxel(0x1ff));
   EXPECT_FALSE(IsSimpleVoxel(0x1ff | 0x1ffU << 18));
   EXPECT_FALSE(IsSimpleVoxel(0x1ffU << 9 & ~bit(0, 0, 0))); // a ring, which it would fill
+  EXPECT_FALSE(IsSimpleAcrossFaces(bit(1, 1, 0)));
+  EXPECT_TRUE(IsSimpleAcrossFaces(bit(1, 0, 0) | bit(-1, -1, 0)));
 }
 
 // Whether the numbers of its points are close together or not, and where it has none.

@@ -65,10 +65,14 @@ class Surfaces(unittest.TestCase):
         voxels = blocks()
         voxels[0, 0, 0] = 5  # a speck of 3 mm3
         voxels[4, 6, 5] = 0  # a cavity
+        voxels[2:8, 6, 12] = 0  # a tunnel
         fine = flipfree.surfaces(image_of(voxels), exact=True)
-        found = flipfree.surfaces(image_of(voxels), exact=True, smallest_part=4, fill_cavities=True, triangles=1)
+        found = flipfree.surfaces(
+            image_of(voxels), exact=True, smallest_part=4, fill_cavities=True, fill_tunnels=2, triangles=1
+        )
         self.assertEqual((fine.labels[1].euler_number, found.labels[1].euler_number), (4, 2))
-        self.assertEqual((found.labels[5].triangles, found.wrong_voxels, fine.collapse_distance), (0, 2, 0))
+        self.assertEqual((fine.labels[70000].euler_number, found.labels[70000].euler_number), (0, 2))
+        self.assertEqual((found.labels[5].triangles, found.wrong_voxels, fine.collapse_distance), (0, 3, 0))
         self.assertLess(5 * len(found.triangles), len(fine.triangles))
         self.assertTrue(0 < found.collapse_distance <= 0.5)
         for label in (1, 3, 70000):

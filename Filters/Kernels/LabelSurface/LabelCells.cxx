@@ -99,18 +99,18 @@ bool HasLabelOnSide(const CornerLabels& labels, int side, int label)
 
 void ListCells(const LabelGrid& grid, int j, int k, std::vector<int>& cells)
 {
-  const int* const rows[4] = { &grid.Labels[grid.Offset(0, j, k)],
+  const LabelGrid::Index* const rows[4] = { &grid.Labels[grid.Offset(0, j, k)],
     &grid.Labels[grid.Offset(0, j + 1, k)], &grid.Labels[grid.Offset(0, j, k + 1)],
     &grid.Labels[grid.Offset(0, j + 1, k + 1)] };
   // Blocks in which nothing differs, which are most, are passed over by code without branches.
-  constexpr int Block = 16;
+  constexpr int Block = 32;
   const int count = grid.Size[0] - 1;
   for (int begin = 0; begin < count; begin += Block)
   {
     const int end = std::min(begin + Block, count);
     const int label = rows[0][begin];
     int different = 0;
-    for (const int* row : rows)
+    for (const LabelGrid::Index* row : rows)
     {
       for (int i = begin; i <= end; ++i)
       {

@@ -9,6 +9,7 @@
 #include "KernelTypes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -19,15 +20,17 @@ namespace FlipFree
 {
 
 /// More are not labels but, for example, the intensities of a scan.
-constexpr std::size_t MaximumLabels = 100000;
+constexpr std::size_t MaximumLabels = 65000;
 
 /// A box of voxels with a layer of background all around, so that what touches the border of the
 /// image is closed there.
 struct LabelGrid
 {
+  using Index = std::uint16_t; ///< holds MaximumLabels, and one number more
+
   std::array<int, 3> Size{ { 0, 0, 0 } };  ///< voxels along each axis, with the layers
   std::array<int, 3> First{ { 0, 0, 0 } }; ///< where the image has voxel (0, 0, 0) of the box
-  std::vector<int> Labels;                 ///< of each voxel, an index into Values
+  std::vector<Index> Labels;               ///< of each voxel, an index into Values
   std::vector<int> Values{ 0 };            ///< the labels in the image, ascending
 
   std::size_t Offset(int i, int j, int k) const
@@ -148,13 +151,13 @@ LabelGrid MakeLabelGrid(const ImageView<T>& image, const std::vector<int>& wante
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       T latest = 0;
-      int label = 0;
+      LabelGrid::Index label = 0;
       for (int k = static_cast<int>(first); k < last; ++k)
       {
         for (int j = 1; j < grid.Size[1] - 1; ++j)
         {
           const T* const row = &image(grid.First[0] + 1, grid.First[1] + j, grid.First[2] + k);
-          int* const labels = &grid.Labels[grid.Offset(1, j, k)];
+          LabelGrid::Index* const labels = &grid.Labels[grid.Offset(1, j, k)];
           for (int i = 0; i < grid.Size[0] - 2; ++i)
           {
             if (row[i] != latest)
@@ -163,7 +166,7 @@ LabelGrid MakeLabelGrid(const ImageView<T>& image, const std::vector<int>& wante
               const auto found =
                 std::lower_bound(grid.Values.begin(), grid.Values.end(), static_cast<int>(latest));
               label = found != grid.Values.end() && *found == static_cast<int>(latest)
-                ? static_cast<int>(found - grid.Values.begin())
+                ? static_cast<LabelGrid::Index>(found - grid.Values.begin())
                 : 0;
             }
             labels[i] = label;

@@ -239,7 +239,7 @@ std::size_t CountWrongVoxels(const SharedWalls& walls, const LabelGrid& grid,
   VisitVoxelsInside(walls, grid, parallelFor,
     [&](int label, const VoxelRun& run)
     {
-      const int* const row = &grid.Labels[grid.Offset(0, run.J, run.K)];
+      const LabelGrid::Index* const row = &grid.Labels[grid.Offset(0, run.J, run.K)];
       const std::size_t inside = run.End - run.Begin;
       const std::size_t same = std::count(row + run.Begin, row + run.End, label);
       measures[label - 1].WrongVoxels += inside - same;

@@ -279,7 +279,7 @@ LabelParts::LabelParts(const LabelGrid& grid, const LabelCells& cells)
     for (int j = 0; j < grid.Size[1]; ++j)
     {
       this->RowBegin.push_back(this->Runs.size());
-      const int* const row = &grid.Labels[grid.Offset(0, j, k)];
+      const LabelGrid::Index* const row = &grid.Labels[grid.Offset(0, j, k)];
       for (int i = 0; i < grid.Size[0]; ++i)
       {
         if (i == 0 || row[i] != row[i - 1])
@@ -360,11 +360,12 @@ LabelGrid KeepParts(LabelGrid grid, const LabelPartSettings& settings,
     const std::vector<int> labels = takeover.Decide();
     for (std::size_t row = 0; row + 1 < parts.RowBegin.size(); ++row)
     {
-      int* const voxels = grid.Labels.data() + row * grid.Size[0];
+      LabelGrid::Index* const voxels = grid.Labels.data() + row * grid.Size[0];
       for (std::size_t run = parts.RowBegin[row]; run < parts.RowBegin[row + 1]; ++run)
       {
         const LabelParts::Run& it = parts.Runs[run];
-        std::fill(voxels + it.Begin, voxels + parts.EndOf(run, row), labels[it.Part]);
+        std::fill(voxels + it.Begin, voxels + parts.EndOf(run, row),
+          static_cast<LabelGrid::Index>(labels[it.Part]));
       }
     }
   }

@@ -29,6 +29,8 @@
     "that most of their faces border")                                                             \
   P(FillCavities, bool, S FillCavities, false, true, "",                                           \
     "Background that labels enclose takes the label that most of its faces border")                \
+  P(FillTunnels, double, S FillTunnels, 0, FlipFree::MaximumTunnel, "MM",                          \
+    "Close tunnels through labels that are narrower, in mm, where they are narrowest; 0: none")    \
   P(EdgeLength, double, S EdgeLength, 0, FlipFree::MaximumWallEdge, "MM",                          \
     "Collapse edges, for fewer triangles, while none becomes longer; 0: no limit, and with "       \
     "{Triangles} of 0 no collapse")                                                                \

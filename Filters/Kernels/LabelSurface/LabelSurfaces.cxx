@@ -1,6 +1,7 @@
 #include "LabelSurface/LabelSurfaces.h"
 
 #include "LabelSurface/LabelParts.h"
+#include "LabelSurface/LabelTunnels.h"
 #include "LabelSurface/SmoothLabels.h"
 #include "LabelSurface/WallCollapse.h"
 #include "LabelSurface/WallTriangles.h"
@@ -35,6 +36,12 @@ void RequireInRange(const LabelSurfaceSettings& settings)
     throw Error(ErrorCode::OutOfRange,
       "{SmallestPart} is " + TextOf(settings.SmallestPart) + " mm3; choose 0, to keep all, to " +
         TextOf(MaximumSmallestPart));
+  }
+  if (!(settings.FillTunnels >= 0 && settings.FillTunnels <= MaximumTunnel))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{FillTunnels} is " + TextOf(settings.FillTunnels) + " mm; choose 0, for none, to " +
+        TextOf(MaximumTunnel));
   }
   if (!(settings.EdgeLength >= 0 && settings.EdgeLength <= MaximumWallEdge))
   {
@@ -81,20 +88,28 @@ bool Coarsen(const LabelSurfaceSettings& settings, const ImageGeometry& image, b
   return true;
 }
 
-LabelGrid KeptOf(const LabelGrid& grid, const ImageGeometry& image,
-  const LabelSurfaceSettings& settings, const ParallelFor& parallelFor)
+// The labels that get surfaces: the grid itself, or `changed`. None if the monitor stopped it.
+const LabelGrid* KeptOf(const LabelGrid& grid, const ImageGeometry& image,
+  const LabelSurfaceSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  LabelGrid& changed)
 {
   LabelPartSettings parts;
   parts.SmallestPart =
     static_cast<std::size_t>(std::ceil(settings.SmallestPart / image.VoxelVolume()));
   parts.FillCavities = settings.FillCavities;
-  LabelGrid kept = KeepParts(grid, parts, parallelFor);
-  if (std::all_of(kept.Labels.begin(), kept.Labels.end(), [](int label) { return label == 0; }))
+  if (parts.KeepsAll() && settings.FillTunnels == 0)
+  {
+    return &grid;
+  }
+  changed = KeepParts(grid, parts, parallelFor);
+  if (std::all_of(changed.Labels.begin(), changed.Labels.end(),
+        [](int label) { return label == 0; }))
   {
     throw Error(ErrorCode::EmptyMask,
       "no part of any label has " + TextOf(settings.SmallestPart) + " mm3; lower {SmallestPart}");
   }
-  return kept;
+  return CloseTunnels(changed, image.Spacing, settings.FillTunnels, parallelFor, monitor) ? &changed
+                                                                                          : nullptr;
 }
 
 // The walls of a grid, relaxed within bounds.
@@ -117,13 +132,21 @@ struct RelaxedWalls
     return !this->Shifts.empty();
   }
 
-  SharedWalls Cut(const GridFrame* frame, const ParallelFor& parallelFor) const
+  SharedWalls Cut(const GridFrame& frame, const ParallelFor& parallelFor) const
   {
-    return CutWalls(this->Walls, this->Cells, this->Shifts, frame, parallelFor);
+    return CutWalls(this->Walls, this->Cells, this->Shifts, &frame, parallelFor);
+  }
+
+  // In the grid's indices. Leaves the cells alone.
+  SharedWalls TakeCut(const ParallelFor& parallelFor)
+  {
+    const LabelWalls walls = std::move(this->Walls);
+    const Displacements shifts = std::move(this->Shifts);
+    return CutWalls(walls, this->Cells, shifts, nullptr, parallelFor);
   }
 
   const LabelCells Cells;
-  const LabelWalls Walls;
+  LabelWalls Walls;
   Displacements Shifts;
 };
 
@@ -186,9 +209,15 @@ LabelSurfaces MakeLabelSurfaces(const LabelGrid& grid, const ImageGeometry& imag
   RequireInRange(settings);
   LabelSurfaces result;
   const GridFrame frame(image, grid.First);
-  const LabelGrid kept = KeptOf(grid, image, settings, parallelFor);
-  const std::vector<std::size_t> voxels = CountLabels(kept, parallelFor);
-  RelaxedWalls walls(kept, parallelFor);
+  LabelGrid changed;
+  const LabelGrid* const kept =
+    KeptOf(grid, image, settings, parallelFor, PartOf(monitor, 0, 0.1), changed);
+  if (!kept)
+  {
+    return result;
+  }
+  const std::vector<std::size_t> voxels = CountLabels(*kept, parallelFor);
+  RelaxedWalls walls(*kept, parallelFor);
   if (!walls.Relax(voxels, settings.Exact ? CellBound : std::max(CellBound, settings.Distance),
         settings.Iterations, parallelFor, PartOf(monitor, 0.1, settings.Exact ? 0.8 : 0.4)))
   {
@@ -196,19 +225,19 @@ LabelSurfaces MakeLabelSurfaces(const LabelGrid& grid, const ImageGeometry& imag
   }
   if (settings.Exact)
   {
-    result.Walls = walls.Cut(&frame, parallelFor);
+    result.Walls = walls.Cut(frame, parallelFor);
     result.GreatestDistance = GreatestDistanceOf(walls, walls.Cells, result.Walls.Points, frame);
   }
   else
   {
-    RelaxedWalls smooth(SmoothLabels(kept, walls.Cut(nullptr, parallelFor), parallelFor),
+    RelaxedWalls smooth(SmoothLabels(*kept, walls.TakeCut(parallelFor), parallelFor),
       parallelFor);
     if (!smooth.Relax(voxels, CellBound, settings.Iterations, parallelFor,
           PartOf(monitor, 0.5, 0.8)))
     {
       return result;
     }
-    result.Walls = smooth.Cut(&frame, parallelFor);
+    result.Walls = smooth.Cut(frame, parallelFor);
     result.GreatestDistance = GreatestDistanceOf(smooth, walls.Cells, result.Walls.Points, frame);
   }
   SharedWalls inSpace = result.Walls;

@@ -4,6 +4,7 @@
  *
  *   LabelGrid        the labels as small numbers, in the box where they are,
  *   LabelParts       which parts of them get surfaces,
+ *   LabelTunnels     which tunnels through them are closed,
  *   LabelCells       the cells between voxel centers, and the rule where labels touch by an edge,
  *   LabelWalls       the walls' connectivity,
  *   WallRelaxation   where their vertices should lie,
@@ -32,6 +33,7 @@ constexpr int MaximumWallIterations = 10000;
 constexpr double MaximumWallEdge = 1e6;     // mm
 constexpr double MaximumWallTolerance = 10; // voxels
 constexpr double MaximumSmallestPart = 1e9; // mm3, a thousand liters
+constexpr double MaximumTunnel = 1e6;       // mm
 
 struct LabelSurfaceSettings
 {
@@ -50,6 +52,10 @@ struct LabelSurfaceSettings
 
   /// Nor do parts of the background that do not reach its outside (LabelParts.h).
   bool FillCavities = false;
+
+  /// Tunnels through labels are closed if no ball of this diameter passes (LabelTunnels.h),
+  /// millimeters; 0 leaves all open.
+  double FillTunnels = 0;
 
   /// Fewer triangles: edges are collapsed while none becomes longer than this, in millimeters, and
   /// while there are more triangles than that. 0 sets no limit; both 0, the default, collapse none.

@@ -1,6 +1,6 @@
 #include "LabelSurface/SmoothLabels.h"
 
-#include <cstdlib>
+#include "LabelSurface/SimpleVoxel.h"
 
 namespace FlipFree
 {
@@ -8,75 +8,23 @@ namespace
 {
 
 // What stands in for several labels at once.
-constexpr int Contested = -1;
+constexpr LabelGrid::Index Contested = MaximumLabels + 1;
 
 // Voxels may become simple when others have changed.
 constexpr int MaximumPasses = 4;
 
-// The 27 voxels around one, and which are next to each other by a face, or by an edge or corner
-// too.
-struct Neighborhood
-{
-  static constexpr unsigned int Center = 1U << 13;
-
-  Neighborhood()
-  {
-    for (int one = 0; one < 27; ++one)
-    {
-      for (int two = 0; two < 27; ++two)
-      {
-        const int steps[3] = { std::abs(one % 3 - two % 3), std::abs(one / 3 % 3 - two / 3 % 3),
-          std::abs(one / 9 - two / 9) };
-        const int sum = steps[0] + steps[1] + steps[2];
-        const bool isNear = std::max({ steps[0], steps[1], steps[2] }) == 1;
-        this->ByFace[one] |= static_cast<unsigned int>(sum == 1) << two;
-        this->ByCorner[one] |= static_cast<unsigned int>(isNear) << two;
-        if (one == 13 && isNear && sum <= 2)
-        {
-          this->WithoutCorners |= 1U << two;
-        }
-      }
-    }
-  }
-
-  std::array<unsigned int, 27> ByFace{};
-  std::array<unsigned int, 27> ByCorner{};
-  unsigned int WithoutCorners = 0;
-};
-
-// Whether all voxels of `seeds`, some of `set`, are connected within the set, and there is one.
-bool AreOnePiece(unsigned int seeds, unsigned int set, const std::array<unsigned int, 27>& adjacent)
-{
-  unsigned int reached = seeds & (~seeds + 1);
-  unsigned int front = reached;
-  while (front != 0)
-  {
-    unsigned int next = 0;
-    for (int voxel = 0; voxel < 27; ++voxel)
-    {
-      if ((front >> voxel & 1) != 0)
-      {
-        next |= adjacent[voxel];
-      }
-    }
-    front = next & set & ~reached;
-    reached |= front;
-  }
-  return seeds != 0 && (seeds & ~reached) == 0;
-}
-
 // The label of each voxel of the grid's box by the surfaces, or Contested.
-std::vector<int> LabelsBySurface(const LabelGrid& grid, const SharedWalls& walls,
+std::vector<LabelGrid::Index> LabelsBySurface(const LabelGrid& grid, const SharedWalls& walls,
   const ParallelFor& parallelFor)
 {
-  std::vector<int> labels(grid.Labels.size(), 0);
+  std::vector<LabelGrid::Index> labels(grid.Labels.size(), 0);
   VisitVoxelsInside(walls, grid, parallelFor,
     [&](int label, const VoxelRun& run)
     {
-      int* const row = &labels[grid.Offset(0, run.J, run.K)];
+      LabelGrid::Index* const row = &labels[grid.Offset(0, run.J, run.K)];
       for (int i = run.Begin; i < run.End; ++i)
       {
-        row[i] = row[i] == 0 ? label : Contested;
+        row[i] = row[i] == 0 ? static_cast<LabelGrid::Index>(label) : Contested;
       }
     });
   return labels;
@@ -106,7 +54,7 @@ private:
     {
       for (int j = -1; j <= 1; ++j)
       {
-        const int* const row = &this->Grid.Labels[voxel] +
+        const LabelGrid::Index* const row = &this->Grid.Labels[voxel] +
           this->Grid.Size[0] * (j + static_cast<std::ptrdiff_t>(this->Grid.Size[1]) * k);
         for (int i = -1; i <= 1; ++i, ++bit)
         {
@@ -114,7 +62,7 @@ private:
         }
       }
     }
-    return mask & ~Neighborhood::Center;
+    return mask & ~CenterVoxel;
   }
 
   const LabelGrid& Grid;
@@ -122,23 +70,10 @@ private:
 
 } // namespace
 
-bool IsSimpleVoxel(unsigned int neighbors)
-{
-  static const Neighborhood around;
-  const unsigned int others = ~neighbors & ((1U << 27) - 1) & ~Neighborhood::Center;
-  const auto isSimple = [](unsigned int set, unsigned int rest)
-  {
-    const unsigned int sides = around.ByFace[13];
-    return AreOnePiece(set, set, around.ByCorner) &&
-      AreOnePiece(rest & sides, rest & around.WithoutCorners, around.ByFace);
-  };
-  return isSimple(neighbors, others) && isSimple(others, neighbors);
-}
-
 LabelGrid SmoothLabels(const LabelGrid& grid, const SharedWalls& walls,
   const ParallelFor& parallelFor)
 {
-  const std::vector<int> wanted = LabelsBySurface(grid, walls, parallelFor);
+  const std::vector<LabelGrid::Index> wanted = LabelsBySurface(grid, walls, parallelFor);
   std::vector<std::size_t> candidates;
   for (int k = 1; k + 1 < grid.Size[2]; ++k)
   {
