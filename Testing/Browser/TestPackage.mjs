@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { gunzipSync, gzipSync } from "node:zlib";
 import { dicomFiles } from "./Dicom.mjs";
-import { nrrd } from "./Volumes.mjs";
+import { nrrd, segmentPairs } from "./Volumes.mjs";
 import { command, dice, fieldDataOf, liverLabel, readNifti, readNiftiFile, readPlyPoints, seed } from "./Support.mjs";
 
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
@@ -238,6 +238,135 @@ test("label maps that are cropped and whose axes are in another order", async ()
   assert.deepEqual(cropped.surface, whole.surface);
   const scores = await flipfree.evaluate(labels, phantom.labelMap, { parameters: { segmentationLabel: 2, referenceLabel: 2 } });
   assert.equal(scores.dice, 1);
+});
+
+const labelsOf = ({ labels }) => labels.map(({ label }) => label);
+
+/** A file of a label's surface, in the scratch folder. */
+async function writeLabel(one, format, name) {
+  const file = await flipfree.labelSurfaceFile(one, format, name);
+  writeFileSync(join(scratch, file.name), Buffer.from(await file.data.arrayBuffer()));
+  return file.name;
+}
+
+test("exact surfaces of all labels are closed, have the label map's voxels, and are the command's", async () => {
+  const fractions = [];
+  const found = await flipfree.labelSurfaces(phantom.labelMap, {
+    parameters: { exact: true },
+    onProgress: (fraction) => fractions.push(fraction),
+  });
+  assert.ok(fractions.length > 2);
+  assert.ok(fractions.every((fraction, at) => fraction >= (fractions[at - 1] ?? 0) && fraction <= 1), `${fractions}`);
+  assert.equal(found.wrongVoxels, 0);
+  assert.equal(found.collapseDistance, 0);
+  assert.ok(found.greatestDistance > 0 && found.greatestDistance < 2);
+  const counts = labelsIn(phantom.labelMap);
+  assert.deepEqual(labelsOf(found), [...counts.keys()]);
+  const ofVoxel = (1.5 * 1.5 * 3) / 1000;
+  for (const { label, volume, voxels, voxelVolume, wrongVoxels, area, eulerNumber, triangles, surface } of found.labels) {
+    assert.equal(voxels, counts.get(label));
+    assert.ok(Math.abs(voxelVolume - voxels * ofVoxel) < 1e-9);
+    assert.ok(Math.abs(volume / voxelVolume - 1) < 0.005, `${label}: ${volume} ml, ${voxelVolume} ml`);
+    assert.equal(wrongVoxels, 0);
+    assert.ok(eulerNumber % 2 === 0);
+    assert.equal(surface.points.length / 3 - triangles / 2, eulerNumber); // closed: three half edges a triangle
+    assert.deepEqual([surface.corners.length, surface.offsets.length], [3 * triangles, triangles + 1]);
+    assert.ok(area > 0);
+    const { dice: overlap } = await flipfree.evaluate(surface, phantom.labelMap, { parameters: { referenceLabel: label } });
+    assert.equal(overlap, 1);
+  }
+  assert.equal(await flipfree.selfIntersections(found.labels.find(({ label }) => label === liverLabel).surface), 0);
+
+  for (const format of ["stl", "ply", "obj"]) {
+    command(scratch, "surfaces", "abdomen-truth.nii.gz", "-o", "exact", "--exact", "--format", format, "-q");
+    for (const one of found.labels) {
+      const name = await writeLabel(one, format);
+      assert.equal(name, `${one.label}.${format}`);
+      assert.ok(readFileSync(join(scratch, name)).equals(readFileSync(join(scratch, "exact", name))), name);
+    }
+  }
+  command(scratch, "surfaces", "abdomen-truth.nii.gz", "-o", "exact", "--exact", "--format", "vtp", "-q");
+  const name = await writeLabel(found.labels[0], "vtp");
+  assert.deepEqual(fieldDataOf(join(scratch, name)), fieldDataOf(join(scratch, "exact", name)));
+  const printed = command(scratch, "evaluate", name, "abdomen-truth.nii.gz", "--reference-label", "1");
+  assert.match(printed, /valid: closed, Euler number 6, self-intersections 0/);
+});
+
+test("surfaces of labels: smooth ones, some of them, with fewer triangles, without specks", async () => {
+  const made = (options) => flipfree.labelSurfaces(phantom.labelMap, options);
+  const smooth = await made();
+  assert.ok(smooth.wrongVoxels > 0);
+  assert.equal(smooth.labels.reduce((sum, { wrongVoxels }) => sum + wrongVoxels, 0) > smooth.wrongVoxels, true);
+  assert.deepEqual(labelsOf(await made({ only: [liverLabel, 1] })), [1, liverLabel]);
+  const exact = await made({ only: [2], parameters: { exact: true } });
+  const coarse = await made({ only: [2], parameters: { exact: true, edgeLength: 8 } });
+  assert.equal(coarse.wrongVoxels, 0);
+  assert.ok(coarse.labels[0].triangles < 0.5 * exact.labels[0].triangles);
+  assert.ok(coarse.collapseDistance > 0 && coarse.collapseDistance <= 0.75); // half a voxel
+  const large = await made({ parameters: { smallestPart: 50_000 } });
+  const gone = large.labels.filter(({ surface }) => surface === null);
+  assert.deepEqual(labelsOf({ labels: gone }), [4, 5, 10, 11]);
+  assert.ok(gone.every(({ triangles, volume, voxels }) => triangles === 0 && volume === 0 && voxels > 0));
+  await assert.rejects(flipfree.labelSurfaceFile(gone[0], "stl"), /Label 4 has no surface/);
+});
+
+test("bad input of labelSurfaces is named, one by one", async () => {
+  const { labelMap } = phantom;
+  const with5 = (voxels) => (voxels.fill(5, 100, 200), voxels);
+  const count = countVoxels(labelMap);
+  const float = with5(new Float32Array(count));
+  assert.deepEqual(labelsOf(await flipfree.labelSurfaces({ ...labelMap, voxels: float })), [5]); // whole numbers
+  for (const [change, options, message] of [
+    [{ voxels: with5(new Float32Array(count)).fill(0.5, 150, 151) }, {}, /^The label map has the value 0\.5 at voxel \(\d+, \d+, \d+\); a label map holds whole numbers from 0 to 2147483647/],
+    [{ voxels: with5(new Float32Array(count)).fill(NaN, 150, 151) }, {}, /has the value nan at voxel/],
+    [{ voxels: with5(new Int16Array(count)).fill(-1, 0, 1) }, {}, /has the value -1 at voxel \(0, 0, 0\)/],
+    [{ voxels: new Uint8Array(count) }, {}, /^The label map has no labels, since all voxels are 0; give one that has some/],
+    [{ voxels: new Uint8Array(7) }, {}, /7 voxels, which does not fit its size/],
+    [{ spacing: [0, 1, 1] }, {}, /^The label map has a spacing of \(0, 1, 1\) mm; make it positive/],
+    [{ origin: [1e9, 0, 0] }, {}, /single precision/],
+    [{}, { only: [1, 99] }, /^The label map has no voxel with label 99; change only; those of them that it has are 1$/],
+    [{}, { only: 3 }, /^only: give a list of labels/],
+    [{}, { only: [0.5] }, /^only: give a list of labels/],
+    [{}, { parameters: { distance: 0.2 } }, /^The value of distance is 0\.2; choose 0\.5 to 1$/],
+    [{}, { parameters: { iterations: 1.5 } }, /^The value of iterations is 1\.5; choose a whole number, 0 to 10000$/],
+    [{}, { parameters: { edgeLength: -1 } }, /^The value of edgeLength is -1; choose 0 to 1e\+06$/],
+    [{}, { parameters: { triangles: -1 } }, /^The value of triangles is -1; choose a whole number, 0 or more$/],
+    [{}, { parameters: { tolerance: NaN } }, /^The value of tolerance is nan; choose 0 to 10$/],
+    [{}, { parameters: { exact: 2 } }, /^The value of exact is 2; choose 0 to 1$/],
+    [{}, { parameters: { smallestPart: 1e9 } }, /^No part of any label has 1e\+09 mm3; lower smallestPart$/],
+    [{}, { parameters: { speling: 1 } }, /There is no parameter speling; there are exact, distance, iterations, smallestPart/],
+  ]) {
+    await assert.rejects(flipfree.labelSurfaces({ ...labelMap, ...change }, options), (error) => {
+      assert.ok(error instanceof FlipFreeError, `${error}`);
+      assert.match(error.message, message);
+      return true;
+    });
+  }
+  const types = readFileSync(join(folder, "types/parametertypes.d.ts"), "utf8");
+  assert.match(types, /LabelSurfaceParameters = \{\s+exact\?: boolean;\s+distance\?: number;/);
+});
+
+test("surfaces of labels are canceled, and the next ones are made", async () => {
+  const stop = new AbortController();
+  const onProgress = () => stop.abort(new Error("enough"));
+  await assert.rejects(flipfree.labelSurfaces(phantom.labelMap, { signal: stop.signal, onProgress }), /^Error: enough$/);
+  assert.equal((await flipfree.labelSurfaces(phantom.labelMap, { only: [4] })).labels.length, 1);
+});
+
+test("labels are called as their file says, and their surfaces as the command's", async () => {
+  const segments = [{ label: 4, name: "left kidney", color: "1 0.5 0" }, { label: 6, name: "Leber", color: "" }];
+  const pairs = segments.flatMap((one, number) => segmentPairs(number, one));
+  writeFileSync(join(scratch, "named.seg.nrrd"), nrrd(phantom.labelMap, Int16Array.from(phantom.labelMap.voxels), pairs));
+  const volume = await opened("named.seg.nrrd");
+  assert.deepEqual(volume.segments, [{ label: 4, name: "left kidney", color: "#ff8000" }, { label: 6, name: "Leber", color: "" }]);
+  assert.deepEqual((await opened("abdomen-truth.nii.gz")).segments, []);
+  command(scratch, "surfaces", "named.seg.nrrd", "-o", "named", "--label", "4", "--label", "6", "-q");
+  const { labels } = await flipfree.labelSurfaces(volume.image, { only: [4, 6] });
+  const names = await Promise.all(labels.map((one, at) => writeLabel(one, "stl", segments[at].name)));
+  assert.deepEqual(names, ["4-left_kidney.stl", "6-Leber.stl"]);
+  for (const name of names) {
+    assert.ok(readFileSync(join(scratch, name)).equals(readFileSync(join(scratch, "named", name))), name);
+  }
 });
 
 /** The vertex that is farthest along an axis, moved by some millimeters. */

@@ -40,7 +40,7 @@ import {
   yellow,
 } from "./Page.mjs";
 import { command, dice, fieldDataOf, readNiftiFile, seed, seedsOf } from "./Support.mjs";
-import { hugeHeader, metaImage, nrrd } from "./Volumes.mjs";
+import { hugeHeader, metaImage, nrrd, segmentPairs } from "./Volumes.mjs";
 
 let sphere;
 
@@ -54,6 +54,138 @@ before(async () => {
 });
 
 after(closePage);
+
+const abdomenGrid = { spacing: [1.5, 1.5, 3], origin: [0, 0, 0], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
+
+/** The abdomen's labels as 3D Slicer saves them, two of them with names. */
+function writeNamedLabels(name) {
+  const { size, voxels } = readNiftiFile(result("abdomen-truth.nii.gz"));
+  const segments = [{ label: 4, name: "left kidney", color: "0 1 1" }, { label: 6, name: "liver", color: "1 0.5 0" }];
+  const pairs = segments.flatMap((one, at) => segmentPairs(at, one));
+  writeFileSync(result(name), nrrd({ ...abdomenGrid, size }, Int16Array.from(voxels), pairs));
+}
+
+const cyan = [0, 255, 255];
+const orange = [255, 128, 0];
+
+test("surfaces of a label map alone: made, listed, colored, hidden, named, saved as the command does", async () => {
+  writeNamedLabels("named.seg.nrrd");
+  command(scratch, "surfaces", "named.seg.nrrd", "-o", "exact", "--exact", "-q");
+  assert.ok(!(await page.isVisible("#label-controls")));
+  await page.setInputFiles("#labels", result("named.seg.nrrd"));
+  await status("Label surfaces makes a surface of each label.");
+  assert.ok(!(await page.isVisible("#organ-controls")) && !(await page.isVisible("#run")));
+  assert.ok(await page.isDisabled("#save-label-surfaces"));
+  await clickAt(0, 0, 0.3, 0.5); // no seed
+  await page.keyboard.press("s");
+  await page.keyboard.press("c");
+  assert.equal(await page.inputValue("#seed-x"), "");
+  await page.check("#exact");
+  await page.focus("#slices");
+  await page.keyboard.press("Enter"); // as a click on the button
+  await status("11 surfaces");
+  assert.match(await page.textContent("#status"), /^11 surfaces in [\d.]+ s, 0 wrong voxels\.$/);
+  const names = await page.$$eval("#labels-list [type=text]", (fields) => fields.map(({ value }) => value));
+  assert.deepEqual(names, ["", "", "", "left kidney", "", "liver", "", "", "", "", ""]);
+  const colors = await page.$$eval("#labels-list [type=color]", (fields) => fields.map(({ value }) => value));
+  assert.deepEqual([colors[3], colors[5], new Set(colors).size], ["#00ffff", "#ff8000", 11]);
+  assert.deepEqual((await page.$$eval("#labels-list span", (texts) => texts.map(({ textContent }) => textContent))).slice(3, 6), ["23.2 ml", "21.0 ml", "1324.8 ml"]);
+  const shown = await coloredPixels(orange);
+  assert.ok(shown.slice(0, 3).every((pixels) => pixels > 100), `${shown}`);
+  assert.ok(await panelFits());
+  await picture("labels");
+
+  // What is hidden is not saved; a name becomes a part of the file's.
+  await page.uncheck("[aria-label='Show liver']");
+  assert.deepEqual(await coloredPixels(orange), [0, 0, 0, 0]);
+  for (const label of [1, 3, 5, 7, 8, 9, 10]) {
+    await page.uncheck(`[aria-label='Show label ${label}']`);
+  }
+  await page.fill("[aria-label='Name of label 2']", "right kidney");
+  await page.press("[aria-label='Name of label 2']", "Tab");
+  const files = [];
+  page.on("download", (download) => files.push(download));
+  await page.click("#save-label-surfaces");
+  await status("Saved 3 of 11 surfaces.");
+  page.removeAllListeners("download");
+  assert.deepEqual(files.map((file) => file.suggestedFilename()), ["2-right_kidney.stl", "4-left_kidney.stl", "11.stl"]);
+  for (const [file, native] of [[files[0], "2.stl"], [files[1], "4-left_kidney.stl"], [files[2], "11.stl"]]) {
+    assert.ok(readFileSync(await file.path()).equals(readFileSync(result(join("exact", native)))), native);
+  }
+});
+
+test("surfaces of labels: progress, cancel, fewer triangles, bad input", async () => {
+  const triangles = () => page.$eval("#labels-list li:nth-child(6)", (row) => Number(row.title.match(/(\d+) triangles/)[1]));
+  const fine = await triangles();
+  await page.fill("#edge-length", "12");
+  await page.click("#label-surfaces");
+  await page.waitForFunction(() => document.getElementById("progress").value > 0.1, null, { timeout: 60_000, polling: 50 });
+  assert.ok(await page.isDisabled("#label-surfaces"));
+  await page.click("#cancel");
+  await status("Canceled");
+  assert.equal(await triangles(), fine); // what was there stays
+  assert.equal(await page.$eval("#progress", ({ value }) => value), 0);
+  await page.click("#label-surfaces");
+  await status("11 surfaces");
+  assert.match(await page.textContent("#status"), /^11 surfaces in [\d.]+ s, 0 wrong voxels; fewer triangles moved walls by up to 0\.\d\d mm\.$/);
+  assert.ok((await triangles()) < 0.3 * fine);
+  assert.ok(!(await page.isChecked("[aria-label='Show liver']"))); // rows stay as they were
+  assert.equal(await page.inputValue("[aria-label='Name of label 2']"), "right kidney");
+  await page.fill("#edge-length", "-1");
+  await page.click("#label-surfaces");
+  assert.match(await errorText(), /^The value of edgeLength is -1; choose 0 to 1e\+06$/);
+  await page.fill("#edge-length", "");
+
+  const { size, voxels } = readNiftiFile(result("abdomen-truth.nii.gz"));
+  const grid = { ...abdomenGrid, size };
+  const half = Float32Array.from(voxels, (value) => value && 0.5);
+  writeFileSync(result("half.nrrd"), Buffer.from(nrrd(grid, half).toString("latin1").replace("type: short", "type: float"), "latin1"));
+  writeFileSync(result("empty.nrrd"), nrrd(grid, new Int16Array(voxels.length)));
+  const messages = { "half.nrrd": "A voxel has the value 0.5, which is not a label", "empty.nrrd": "empty.nrrd has no label: all its voxels are 0" };
+  for (const [name, message] of Object.entries(messages)) {
+    await page.setInputFiles("#labels", result(name));
+    await page.waitForFunction((part) => document.getElementById("error").textContent.startsWith(part), message, { timeout: 60_000 });
+  }
+  assert.match(await page.textContent("#image-name"), /^named\.seg\.nrrd/); // still there
+});
+
+test("surfaces of labels over their image; a file of labels by Open image", async () => {
+  await open(result("abdomen.nii.gz"));
+  assert.ok(await page.isVisible("#organ-controls"));
+  assert.ok(!(await page.isVisible("#label-controls")));
+  await page.setInputFiles("#labels", result("named.seg.nrrd"));
+  await status("Choose the label");
+  assert.match(await page.locator("#start-label option").allTextContents().then((texts) => texts[6]), /^6 liver, 1325 ml$/);
+  await page.click("#label-surfaces");
+  await status("11 surfaces");
+  assert.ok((await coloredPixels(orange)).slice(0, 3).every((pixels) => pixels > 100));
+  assert.ok(await panelFits());
+  await picture("labels-over-image");
+  // An organ's surface is drawn over them; an undo takes the one, not the others.
+  await typeSeed(seed);
+  await segment();
+  assert.ok((await coloredPixels(yellow))[0] > 200);
+  assert.ok((await coloredPixels(cyan)).slice(0, 3).some((pixels) => pixels > 10));
+  assert.ok(await panelFits());
+  // Another image has no labels.
+  await open(result("sphere.nii.gz"));
+  assert.ok(!(await page.isVisible("#label-controls")));
+
+  await open(result("abdomen-truth.nii.gz")); // which names none
+  assert.match(await page.textContent("#status"), /or, if these are labels, make Label surfaces/);
+  await page.click("#label-surfaces");
+  await status("11 surfaces");
+  await page.setInputFiles("#files", result("named.seg.nrrd")); // which does, and fits
+  await status("Choose the label");
+  assert.match(await page.textContent("#image-name"), /^abdomen-truth/);
+  assert.equal(await page.locator("#labels-list li").count(), 0);
+  await open(result("sphere.nii.gz"));
+  await page.setInputFiles("#files", result("named.seg.nrrd")); // which does not
+  await status("Label surfaces makes");
+  assert.match(await page.textContent("#image-name"), /^named/);
+  assert.ok(!(await page.isVisible("#organ-controls")));
+  await page.uncheck("#exact");
+});
 
 test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
   await page.click("#open-phantom");
@@ -96,7 +228,7 @@ test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
   const native = readNiftiFile(result("native.nii.gz"));
   console.log(`Dice with the command's liver: ${dice(labels.voxels, native.voxels)}`);
   assert.ok(dice(labels.voxels, native.voxels) > 0.999);
-  for (const format of ["stl", "ply", "vtp"]) {
+  for (const format of ["stl", "ply", "vtp", "obj"]) {
     await page.selectOption("#surface-format", format);
     const printed = command(scratch, "evaluate", await saved("#save-surface"), "native.nii.gz");
     assert.match(printed, /valid: closed, Euler number 2, self-intersections 0/);

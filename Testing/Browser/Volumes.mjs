@@ -34,7 +34,13 @@ export function metaImage(grid, voxels) {
   return Buffer.concat([Buffer.from(header), Buffer.from(voxels.buffer)]);
 }
 
-export function nrrd(grid, voxels) {
+/** What 3D Slicer writes of a segment. */
+export function segmentPairs(number, { label, name, color }) {
+  const pairs = { LabelValue: label, Layer: 0, Name: name, Color: color };
+  return Object.entries(pairs).map(([key, value]) => `Segment${number}_${key}:=${value}`);
+}
+
+export function nrrd(grid, voxels, pairs = []) {
   const vector = (numbers) => `(${numbers.join(",")})`;
   const directions = columnsOf(grid).map((column, axis) => vector(column.map((value) => value * grid.spacing[axis])));
   const header = [
@@ -48,6 +54,7 @@ export function nrrd(grid, voxels) {
     "endian: little",
     "encoding: raw",
     `space origin: ${vector(grid.origin)}`,
+    ...pairs,
     "\n",
   ].join("\n");
   return Buffer.concat([Buffer.from(header), Buffer.from(voxels.buffer)]);

@@ -33,6 +33,7 @@ await writeFile(
   "// Written by types.mjs from the kernels' tables.\n" +
     typesOf("SegmentationParameters", "Of an organ's segmentation", kernels.segmentationParameters("default")) +
     typesOf("VesselParameters", "Of a vessel's", kernels.vesselParameters()) +
+    typesOf("LabelSurfaceParameters", "Of the surfaces of a label map's labels", kernels.labelSurfaceParameters()) +
     typesOf("ScoreParameters", "Of a comparison with a reference", kernels.scoreParameters()) +
     typesOf("PhantomParameters", "Of a phantom", kernels.phantomParameters().filter(({ name }) => name !== "Shape")),
 );

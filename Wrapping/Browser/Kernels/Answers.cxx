@@ -9,15 +9,6 @@ namespace FlipFree
 namespace
 {
 
-val ObjectOf(const OrganSurface& organ)
-{
-  val surface = val::object();
-  surface.set("points", ArrayOf(organ.Points));
-  surface.set("corners", ArrayOf(organ.Mesh.Faces.Connectivity));
-  surface.set("offsets", ArrayOf(organ.Mesh.Faces.Offsets));
-  return surface;
-}
-
 val ColumnsOf(const std::vector<IterationRecord>& records)
 {
   val columns = val::object();
@@ -45,6 +36,15 @@ PolygonSurface SurfaceOf(const val& surface, const std::string& name)
   copy.Faces.Offsets = emscripten::convertJSArrayToNumberVector<int>(surface["offsets"]);
   RequireValidFaces(copy.Points, copy.Faces, name);
   return copy;
+}
+
+val SurfaceObject(const PointList& points, const FaceList& faces)
+{
+  val surface = val::object();
+  surface.set("points", ArrayOf(points));
+  surface.set("corners", ArrayOf(faces.Connectivity));
+  surface.set("offsets", ArrayOf(faces.Offsets));
+  return surface;
 }
 
 val ArrayOf(const std::vector<VoxelRun>& runs)
@@ -76,7 +76,7 @@ val AnswerOf(const OrganSurface& organ, const Origin& origin, const std::vector<
   answer.set("stopReason", std::string(ToString(organ.Reason)));
   answer.set("aborted", organ.Reason == StopReason::Aborted);
   answer.set("selfIntersections", static_cast<double>(organ.SelfIntersections));
-  answer.set("surface", ObjectOf(organ));
+  answer.set("surface", SurfaceObject(organ.Points, organ.Mesh.Faces));
   answer.set("certified", origin.IsCertified);
   answer.set("provenance", origin.Provenance);
   answer.set("comments", val::array(CommentsOn(origin.Provenance)));

@@ -38,6 +38,9 @@ struct PolygonSurface
 /// Of { points, corners, offsets }, which messages call `name`.
 PolygonSurface SurfaceOf(const val& surface, const std::string& name);
 
+/// The other way.
+val SurfaceObject(const PointList& points, const FaceList& faces);
+
 /// Four numbers each: j, k, first i, one past the last i.
 val ArrayOf(const std::vector<VoxelRun>& runs);
 

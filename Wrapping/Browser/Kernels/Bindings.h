@@ -8,11 +8,13 @@
 
 #include "Error.h"
 #include "KernelTypes.h"
+#include "MessageText.h"
 #include "ParameterTable.h"
 
 #include <emscripten/val.h>
 
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -27,6 +29,7 @@ void BindVessels();
 void BindEvaluation();
 void BindDicom();
 void BindExchange();
+void BindLabelSurfaces();
 void BindPhantoms();
 void BindVolumes();
 
@@ -94,6 +97,18 @@ val ParametersOf(const ParameterTable<Settings>& table, const Settings& settings
   return parameters;
 }
 
+/// Throws for a number that is not in a parameter's range, or not whole where it has to be.
+template <typename Settings>
+[[noreturn]] void RefuseNumber(const Parameter<Settings>& parameter, double value)
+{
+  const bool isInteger = parameter.Type == ParameterType::Integer;
+  const bool isUnlimited = parameter.Maximum >= std::numeric_limits<int>::max();
+  throw Error(ErrorCode::OutOfRange,
+    "the value of {" + parameter.Name + "} is " + TextOf(value) + "; choose " +
+      (isInteger ? "a whole number, " : "") + TextOf(parameter.Minimum) +
+      (isUnlimited ? " or more" : " to " + TextOf(parameter.Maximum)));
+}
+
 /// Sets those of which `values` has an array of numbers. The package has checked names and counts.
 template <typename Settings>
 void SetParameters(const ParameterTable<Settings>& table, const val& values, Settings& settings)
@@ -103,7 +118,11 @@ void SetParameters(const ParameterTable<Settings>& table, const val& values, Set
     const val value = values[parameter.Name];
     if (!value.isUndefined())
     {
-      parameter.Set(settings, emscripten::vecFromJSArray<double>(value));
+      const auto numbers = emscripten::vecFromJSArray<double>(value);
+      if (!parameter.Take(settings, numbers))
+      {
+        RefuseNumber(parameter, numbers.front());
+      }
     }
   }
 }

@@ -3,7 +3,9 @@
 #include "Volume.h"
 #include "VoxelArrays.h"
 
+#include "Deformation/Provenance.h"
 #include "Exchange/NiftiHeader.h"
+#include "Exchange/SegmentationLayers.h"
 #include "Exchange/SurfaceBytes.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Exchange/VoxelDecoding.h"
@@ -59,6 +61,21 @@ public:
       [&](std::size_t, void* values) { DecodeDigits(this->Header, stored, values); });
   }
 
+  /// { label, name, color } of each label that the file names.
+  val Segments() const
+  {
+    val segments = val::array();
+    for (const Segment& segment : SegmentsOf(this->Header))
+    {
+      val one = val::object();
+      one.set("label", segment.Label);
+      one.set("name", segment.Name);
+      one.set("color", segment.Color);
+      segments.call<void>("push", one);
+    }
+    return segments;
+  }
+
   val Fields() const
   {
     const VolumeFileHeader& header = this->Header;
@@ -74,6 +91,7 @@ public:
     fields.set("skipped", static_cast<double>(header.Storage.Skipped));
     fields.set("isAtEnd", header.Storage.IsAtEnd);
     fields.set("layers", header.Layers.Count);
+    fields.set("segments", this->Segments());
     fields.set("warnings", val::array(header.Warnings));
     return fields;
   }
@@ -132,7 +150,16 @@ VtpContent ContentOf(const val& result, const std::string& provenance)
 {
   VtpContent content;
   const double certified = result["certified"].as<bool>() ? 1 : 0;
-  content.Fields = { VtpNumbers("Certified", &certified, 1), VtpText("Provenance", provenance) };
+  content.Fields = { VtpNumbers("Certified", &certified, 1) };
+  if (!provenance.empty())
+  {
+    content.Fields.push_back(VtpText("Provenance", provenance));
+  }
+  if (!result["label"].isUndefined()) // of a label map
+  {
+    const double label = result["label"].as<double>();
+    content.Fields.push_back(VtpNumbers("Label", &label, 1));
+  }
   if (!result["vertexConfidence"].isUndefined()) // of an organ
   {
     const double confidence = result["confidence"].as<double>();
@@ -143,7 +170,8 @@ VtpContent ContentOf(const val& result, const std::string& provenance)
   return content;
 }
 
-// Of { surface, certified, comments, confidence, vertexConfidence }.
+// Of { surface, certified, comments }; of an organ also { confidence, vertexConfidence }, of a
+// label map's surface { label } and no comments.
 val SurfaceFile(const val& result, const std::string& format, const std::string& provenance)
 {
   return Guarded(
@@ -155,11 +183,17 @@ val SurfaceFile(const val& result, const std::string& format, const std::string&
         return AnswerOfBytes(
           VtpBytes(surface.Points, surface.Faces, ContentOf(result, provenance)));
       }
-      const auto comments = emscripten::vecFromJSArray<std::string>(result["comments"]);
+      const auto comments = result["comments"].isUndefined()
+        ? CommentsOn(provenance)
+        : emscripten::vecFromJSArray<std::string>(result["comments"]);
+      if (format == "obj")
+      {
+        return AnswerOfBytes(ObjBytes(surface.Points, surface.Faces, comments));
+      }
       if (format != "stl" && format != "ply")
       {
         throw std::invalid_argument(
-          "no surface is written as " + Quoted(format) + "; use vtp, stl or ply");
+          "no surface is written as " + Quoted(format) + "; use vtp, stl, ply or obj");
       }
       const auto bytes = format == "stl" ? &StlBytes : &PlyBytes;
       return AnswerOfBytes(bytes(surface.Points, Triangulate(surface.Faces), comments));

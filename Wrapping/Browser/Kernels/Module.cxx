@@ -10,5 +10,6 @@ EMSCRIPTEN_BINDINGS(flipfree)
   FlipFree::BindEvaluation();
   FlipFree::BindExchange();
   FlipFree::BindDicom();
+  FlipFree::BindLabelSurfaces();
   FlipFree::BindPhantoms();
 }

@@ -10,6 +10,9 @@ import {
   type Grid,
   type GridComparison,
   type Image,
+  type LabelSurface,
+  type LabelSurfaceOptions,
+  type LabelSurfaces,
   type NamedFile,
   type OpenedVolume,
   type Organ,
@@ -151,6 +154,13 @@ export class FlipFree {
     return this.askAfter(needed, "trace", { points, parameters: options.parameters ?? {} }, options);
   }
 
+  /** A closed surface for each label of a label map, without self-intersections whatever the labels are; two labels have one wall
+   * between them. With `exact`, the surfaces have the voxels of the label map. Rejects as `segment` does. */
+  labelSurfaces(labels: Image, options: LabelSurfaceOptions = {}): Promise<LabelSurfaces> {
+    const { only = [], parameters = {} } = options;
+    return this.ask("labelSurfaces", { labels, only, parameters }, options);
+  }
+
   /** Where the voxels of a part, such as a label map called `name`, lie on an image's grid. Label maps need be no more than on its
    * lattice: `segment` and `evaluate` put them into place. */
   compareGrids(grid: Grid, part: Grid, name: string): Promise<GridComparison> {
@@ -190,6 +200,11 @@ export class FlipFree {
     const { surface, certified, provenance, comments } = result;
     const ofOrgan = isOrgan(result) ? { confidence: result.confidence, vertexConfidence: result.vertexConfidence } : {};
     return this.ask("surfaceFile", { result: { surface, certified, provenance, comments, ...ofOrgan }, format, names });
+  }
+
+  /** A file of a label's surface, as the command writes and calls it: 6.stl, or 6-liver.stl where the label has a name. */
+  labelSurfaceFile({ label, surface }: LabelSurface, format: SurfaceFormat, name = ""): Promise<NamedFile> {
+    return this.ask("labelSurfaceFile", { written: { label, surface }, format, name });
   }
 
   phantom(shape: PhantomShape, options: PhantomOptions = {}): Promise<Phantom> {

@@ -128,6 +128,7 @@ export function readSeries(
         direction: [...read.direction],
         voxels: read.voxels,
       },
+      segments: [],
       warnings: read.warnings,
     };
   });

@@ -6,7 +6,7 @@ import { type KernelDicom, listSeries, readSeries } from "./dicom.js";
 import { packed } from "./inflated.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
 import { type OriginNames, namedProvenance } from "./provenance.js";
-import type { SurfaceFormat, WrittenSurface } from "./surfacefiles.js";
+import type { SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
 import {
   type Corrections,
   type DicomSeries,
@@ -14,6 +14,7 @@ import {
   type Grid,
   type GridComparison,
   type Image,
+  type LabelSurfaces,
   type NamedFile,
   type OpenedVolume,
   type Organ,
@@ -76,13 +77,25 @@ interface KernelPhantom {
 /** The module that emscripten makes of Kernels/. */
 export interface KernelModule extends KernelFiles, KernelDicom {
   niftiHeader(name: string, image: Image): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
-  surfaceBytes(result: WrittenSurface, format: string, provenance: string): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
+  surfaceBytes(
+    result: WrittenSurface | { surface: Surface; certified: true; label: number },
+    format: string,
+    provenance: string,
+  ): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
+  fileNamePart(text: string): string;
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
   OrganSession: new (volume: KernelVolume) => OrganSession;
   vesselParameters(): KernelParameter[];
   trace(volume: KernelVolume, points: number[], values: Record<string, number[]>, report: Report): Answer<Vessel>;
+  labelSurfaceParameters(): KernelParameter[];
+  labelSurfaces(
+    labels: KernelVolume,
+    only: readonly number[],
+    values: Record<string, number[]>,
+    report: Report,
+  ): Answer<LabelSurfaces>;
   scoreParameters(): KernelParameter[];
   scoreLabels(a: KernelVolume, b: KernelVolume, values: Record<string, number[]>, report: Report): Answer<Scores>;
   scoreSurface(a: Surface, b: KernelVolume, values: Record<string, number[]>, report: Report): Answer<Scores>;
@@ -103,7 +116,12 @@ export type KernelFactory = (options: {
 const shapes = ["sphere", "cube", "cup", "u-tube", "vessel", "abdomen"] as const;
 export type PhantomShape = (typeof shapes)[number];
 
-const mediaTypes: Record<SurfaceFormat, string> = { vtp: "application/xml", stl: "model/stl", ply: "model/ply" };
+const mediaTypes: Record<SurfaceFormat, string> = {
+  vtp: "application/xml",
+  stl: "model/stl",
+  ply: "model/ply",
+  obj: "model/obj",
+};
 
 const goOn: Report = () => true;
 
@@ -212,6 +230,21 @@ export class Engine {
     return this.worded(this.kernels.trace(this.volume, pointNumbers("points", points), values, report), known);
   }
 
+  /** Of the labels named by `only`, or of all. */
+  labelSurfaces(
+    labels: Image,
+    parameters: Parameters = {},
+    only: readonly number[] = [],
+    report: Report = goOn,
+  ): LabelSurfaces {
+    const known = this.kernels.labelSurfaceParameters();
+    const values = kernelValues(parameters, known);
+    if (!Array.isArray(only) || !only.every(Number.isInteger)) {
+      throw new FlipFreeError("only: give a list of labels, which are whole numbers");
+    }
+    return this.withVolume(labels, (volume) => this.checked(this.kernels.labelSurfaces(volume, only, values, report), known));
+  }
+
   evaluate(
     segmentation: Image | Surface,
     reference: Image,
@@ -261,6 +294,16 @@ export class Engine {
     const provenance = namedProvenance(result.provenance, names);
     const { bytes } = this.checked(this.kernels.surfaceBytes(result, format, provenance));
     return new Blob([bytes], { type: mediaTypes[format] });
+  }
+
+  /** A file of a label's surface, called as the command calls it: 6.stl, or 6-liver.stl. */
+  labelSurfaceFile({ label, surface }: WrittenLabel, format: SurfaceFormat, name = ""): NamedFile {
+    if (!surface) {
+      throw new FlipFreeError(`Label ${label} has no surface`);
+    }
+    const { bytes } = this.checked(this.kernels.surfaceBytes({ surface, certified: true, label }, format, ""));
+    const part = this.kernels.fileNamePart(name);
+    return { name: `${label}${part && `-${part}`}.${format}`, data: new Blob([bytes], { type: mediaTypes[format] }) };
   }
 
   phantom(shape: PhantomShape, parameters: Parameters = {}, report: Report = goOn): Phantom {

@@ -1,12 +1,13 @@
 export { FlipFree } from "./client.js";
 export type { PhantomShape } from "./engine.js";
 export { affineOf, countVoxels, fillRuns, swapLpsRas } from "./grid.js";
-export { labelsIn } from "./labels.js";
+export { labelsIn, mayBeLabelMap } from "./labels.js";
 export { type OriginNames, namedProvenance } from "./provenance.js";
 export {
   type SurfaceFormat,
   isSinglePrecision,
   roundedSurface,
+  roundsPoints,
   surfaceFormats,
   trianglesOf,
 } from "./surfacefiles.js";

@@ -29,3 +29,20 @@ export function labelsIn({ voxels }: Image): Map<number, number> {
   take(voxels.length);
   return new Map([...counts].sort(([a], [b]) => a - b));
 }
+
+/** Few whole numbers from 0 on, and most neighbors alike. A simple image may be like that, too. */
+export function mayBeLabelMap({ voxels }: Image): boolean {
+  const values = new Set<number>();
+  let changes = 0;
+  for (let voxel = 0; voxel < voxels.length; ++voxel) {
+    const value = voxels[voxel];
+    if (voxel === 0 || value !== voxels[voxel - 1]) {
+      ++changes;
+      values.add(value);
+      if (!(Number.isInteger(value) && value >= 0) || values.size > 256 || changes > 0.1 * voxels.length) {
+        return false;
+      }
+    }
+  }
+  return values.size > 1;
+}

@@ -3,13 +3,14 @@
  * A kind of work is an entry of `Requests` and `Answers` and a case of the worker: what a page sends and gets. */
 import type { PhantomShape } from "./engine.js";
 import type { OriginNames } from "./provenance.js";
-import type { SurfaceFormat, WrittenSurface } from "./surfacefiles.js";
+import type { SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
 import type {
   Corrections,
   DicomSeries,
   Grid,
   GridComparison,
   Image,
+  LabelSurfaces,
   NamedFile,
   OpenedVolume,
   Organ,
@@ -36,12 +37,14 @@ export interface Requests {
   segment: { seed: Seed | null; preset: Preset; parameters: Parameters; corrections: Corrections };
   preview: { point: PreviewPoint };
   trace: { points: readonly Triple[]; parameters: Parameters };
+  labelSurfaces: { labels: Image; only: readonly number[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
   readVolume: { files: readonly NamedFile[]; series: string };
   listSeries: { files: readonly NamedFile[] };
   labelMapFile: { labelMap: Image };
   surfaceFile: { result: WrittenSurface; format: SurfaceFormat; names: OriginNames };
+  labelSurfaceFile: { written: WrittenLabel; format: SurfaceFormat; name: string };
   phantom: { shape: PhantomShape; parameters: Parameters };
   memory: Record<string, never>;
 }
@@ -54,12 +57,14 @@ export interface Answers {
   segment: Organ;
   preview: Preview | null;
   trace: Vessel;
+  labelSurfaces: LabelSurfaces;
   evaluate: Scores;
   selfIntersections: number;
   readVolume: OpenedVolume;
   listSeries: DicomSeries[];
   labelMapFile: Blob;
   surfaceFile: Blob;
+  labelSurfaceFile: NamedFile;
   phantom: Phantom;
   memory: number;
 }

@@ -47,6 +47,7 @@ export function packageValues(known: KernelParameter[]): Parameters {
 export function wordMessage(message: string, known: KernelParameter[]): string {
   const names = new Map(known.map((parameter) => [parameter.name, packageName(parameter.name)]));
   names.set("SeedCenter", "the seed's center").set("SeedRadius", "the seed's radius");
+  names.set("Labels", "only");
   names.set("AddInsidePoint", "an inside point at").set("AddOutsidePoint", "an outside point at");
   const worded = message.replace(/\{\{|\}\}|\{([^{}]+)\}/g, (part, quantity?: string) =>
     quantity === undefined ? part[0] : (names.get(quantity) ?? quantity),

@@ -1,12 +1,18 @@
 /** What files of surfaces hold. */
-import type { Organ, Segmentation, Surface } from "./types.js";
+import type { LabelSurface, Organ, Segmentation, Surface } from "./types.js";
 
-export const surfaceFormats = ["vtp", "stl", "ply"] as const;
+export const surfaceFormats = ["vtp", "stl", "ply", "obj"] as const;
 export type SurfaceFormat = (typeof surfaceFormats)[number];
 
 /** What a file takes of a result. */
 export type WrittenSurface = Pick<Segmentation, "surface" | "certified" | "provenance" | "comments"> &
   Partial<Pick<Organ, "confidence" | "vertexConfidence">>;
+
+/** What a file takes of a label's surface. */
+export type WrittenLabel = Pick<LabelSurface, "label" | "surface">;
+
+/** Formats that hold coordinates in single precision. */
+export const roundsPoints = (format: SurfaceFormat) => format === "stl" || format === "ply";
 
 /** Each face cut into triangles from its first vertex: three vertices each. */
 export function trianglesOf({ corners, offsets }: Surface): Uint32Array {

@@ -1,5 +1,11 @@
 /** What goes in and out. Coordinates are LPS millimeters, as in DICOM; voxels are stored with x fastest. */
-import type { PhantomParameters, ScoreParameters, SegmentationParameters, VesselParameters } from "./parametertypes.js";
+import type {
+  LabelSurfaceParameters,
+  PhantomParameters,
+  ScoreParameters,
+  SegmentationParameters,
+  VesselParameters,
+} from "./parametertypes.js";
 
 export type Triple = readonly [number, number, number];
 export type Voxels =
@@ -57,6 +63,14 @@ export interface DicomSeries {
   problem: string;
 }
 
+/** What a file says of one of its labels. */
+export interface Segment {
+  label: number;
+  name: string;
+  /** As #ffd24a; empty where the file has none. */
+  color: string;
+}
+
 /** A volume as a file has it. */
 export interface OpenedVolume {
   /** The file's, of several the one that has the header. */
@@ -64,6 +78,8 @@ export interface OpenedVolume {
   /** Of DICOM: which series it is. */
   series?: string;
   image: Image;
+  /** The labels that the file names: 3D Slicer's segmentations, and label tables in NIfTI. */
+  segments: Segment[];
   /** What the file does not say, or says twice, and what was taken; whole sentences. */
   warnings: string[];
 }
@@ -115,7 +131,7 @@ export interface Corrections {
   seeds?: readonly Seed[];
 }
 
-export type { PhantomParameters, ScoreParameters, SegmentationParameters, VesselParameters };
+export type { LabelSurfaceParameters, PhantomParameters, ScoreParameters, SegmentationParameters, VesselParameters };
 
 export type Preset = "default" | "published" | "naive";
 
@@ -202,6 +218,38 @@ export function isOrgan(result: Organ | Vessel): result is Organ {
   return "vertexConfidence" in result;
 }
 
+/** The surface of a label, and what it measures. */
+export interface LabelSurface {
+  label: number;
+  /** Milliliters. */
+  volume: number;
+  /** Of the label map. */
+  voxels: number;
+  /** Theirs, in milliliters. */
+  voxelVolume: number;
+  /** Those inside that have another label, and those of the label that are not inside. */
+  wrongVoxels: number;
+  /** Square millimeters. */
+  area: number;
+  /** 2 for each piece, less 2 for each tunnel through one. */
+  eulerNumber: number;
+  triangles: number;
+  /** Closed, and without self-intersections. Null where all parts of the label are smaller than `smallestPart`. */
+  surface: Surface | null;
+}
+
+/** The surfaces of a label map: two labels have the same triangles where they touch. */
+export interface LabelSurfaces {
+  /** Ascending. */
+  labels: LabelSurface[];
+  /** How many voxels have a label in whose surface they are not. */
+  wrongVoxels: number;
+  /** Of a vertex from the nearest corner of voxels of different labels, in mm. */
+  greatestDistance: number;
+  /** Between the walls before and after edges were collapsed, in mm. */
+  collapseDistance: number;
+}
+
 export interface Scores {
   dice: number;
   jaccard: number;
@@ -253,6 +301,12 @@ export interface SegmentOptions extends RunOptions, Corrections {
 
 export interface TraceOptions extends RunOptions {
   parameters?: VesselParameters;
+}
+
+export interface LabelSurfaceOptions extends RunOptions {
+  /** The labels that get surfaces, all others being background; by default, all get one. */
+  only?: readonly number[];
+  parameters?: LabelSurfaceParameters;
 }
 
 export interface EvaluateOptions extends RunOptions {

@@ -1,7 +1,7 @@
 /** Volumes that are one file, or a header and its voxels: NIfTI, NRRD, MetaImage. The kernels understand headers; here bytes are
  * read and inflated. */
 import { InflatedFile, isPacked } from "./inflated.js";
-import { FlipFreeError, type NamedFile, type OpenedVolume, type Triple, type Voxels } from "./types.js";
+import { FlipFreeError, type NamedFile, type OpenedVolume, type Segment, type Triple, type Voxels } from "./types.js";
 
 export type Answer<T> = T & { error?: string; outOfMemory?: boolean };
 
@@ -21,6 +21,7 @@ interface Fields {
   skipped: number;
   isAtEnd: boolean;
   layers: number;
+  segments: Segment[];
   warnings: string[];
 }
 
@@ -151,6 +152,7 @@ async function readVoxels(
   return {
     name: header.name,
     image: { size, spacing: spacing as [number, number, number], origin: origin as [number, number, number], direction, voxels },
+    segments: fields.segments,
     warnings: fields.warnings,
   };
 }

@@ -38,6 +38,7 @@ const work: Work = {
     engine.segment(seed, preset, parameters, corrections, report),
   preview: (engine, { point }) => engine.preview(point),
   trace: (engine, { points, parameters }, report) => engine.trace(points, parameters, report),
+  labelSurfaces: (engine, { labels, only, parameters }, report) => engine.labelSurfaces(labels, parameters, only, report),
   evaluate: (engine, { segmentation, reference, parameters }, report) =>
     engine.evaluate(segmentation, reference, parameters, report),
   selfIntersections: (engine, { surface }) => engine.selfIntersections(surface),
@@ -45,6 +46,7 @@ const work: Work = {
   listSeries: (engine, { files }, report) => engine.listSeries(files, report),
   labelMapFile: (engine, { labelMap }) => engine.labelMapFile(labelMap),
   surfaceFile: (engine, { result, format, names }) => engine.surfaceFile(result, format, names),
+  labelSurfaceFile: (engine, { written, format, name }) => engine.labelSurfaceFile(written, format, name),
   phantom: (engine, { shape, parameters }, report) => engine.phantom(shape, parameters, report),
   memory: (engine) => engine.memory,
 };

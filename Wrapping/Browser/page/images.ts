@@ -1,7 +1,7 @@
-/** Opening: images, label maps, sessions, the built-in phantom; and how gray values are shown. */
-import { FlipFreeError, labelsIn } from "../flipfree/index.js";
+/** Opening: images, sessions, the built-in phantom; and how gray values are shown. */
 import { app, flipfree, organs, view } from "./app.js";
 import { element, select } from "./dom.js";
+import { takeIfLabels, takeLabelMap } from "./labelmaps.js";
 import { chooseTool, showAll } from "./panel.js";
 import { repeat } from "./runs.js";
 import { parseSession } from "./session.js";
@@ -15,11 +15,12 @@ const phantomLiver = 6;
 let ownRange: [number, number] = [0, 1];
 let presets: WindowPreset[] = [];
 
-function showImage(image: OpenImage): void {
+export function showImage(image: OpenImage): void {
   app.opened = image;
   organs.reset();
   chooseTool("seed");
   app.labels = null;
+  app.labelSurfaces = [];
   app.phantomSeeds = [];
   element("phantom-row").hidden = true;
   element("labels-row").hidden = true;
@@ -43,7 +44,7 @@ export function setWindow(index: number): void {
   }
 }
 
-/** Images, a session, or an image with its session. */
+/** Images, a label map that names its labels, a session, or an image with its session. */
 export async function openFiles(files: File[]): Promise<void> {
   const isSession = (file: File) => /\.json$/i.test(file.name);
   const session = files.length <= 2 ? files.find(isSession) : undefined;
@@ -51,52 +52,19 @@ export async function openFiles(files: File[]): Promise<void> {
   if (images.length > 0) {
     await work("Opening …", async () => {
       const opened = await readFiles(images);
+      if (opened.segments.length > 0) {
+        await takeLabelMap(opened, true);
+        return;
+      }
       showImage(opened);
-      say(["Place the seed in the organ.", ...opened.warnings].join(" "));
+      const orSurfaces = takeIfLabels(opened) ? "; or, if these are labels, make Label surfaces" : "";
+      say([`Place the seed in the organ${orSurfaces}.`, ...opened.warnings].join(" "));
     });
   }
   if (session) {
     await work("Opening the session …", async (signal) => {
       await repeat(parseSession(session.name, await session.text()), signal);
     });
-  }
-}
-
-/** A label map on the image's lattice, of which organs can fill a label. */
-export async function openLabels(files: File[]): Promise<void> {
-  const grid = app.opened?.image;
-  if (!grid || files.length === 0) {
-    return;
-  }
-  await work("Opening the label map …", async () => {
-    const { name, image } = await readFiles(files);
-    const { difference } = await flipfree.compareGrids(grid, image, name);
-    if (difference) {
-      throw new FlipFreeError(difference);
-    }
-    const counts = labelsIn(image);
-    if (counts.size === 0) {
-      throw new FlipFreeError(`${name} has no label: all its voxels are 0`);
-    }
-    app.labels = image;
-    app.labelsName = name;
-    const voxel = grid.spacing.reduce((a, b) => a * b, 1);
-    const choices = [...counts].map(([label, count]) => new Option(`${label}, ${((count * voxel) / 1000).toFixed(0)} ml`, String(label)));
-    select("start-label").replaceChildren(new Option("choose …", ""), ...choices);
-    element("labels-row").title = name;
-    element("labels-row").hidden = false;
-    say("Choose the label of the organ, then Segment.");
-  });
-}
-
-/** The chosen organ fills the chosen label; its seed and its points go. */
-export function takeStartLabel(): void {
-  const label = select("start-label").value;
-  if (app.labels && label !== "") {
-    const start = { labels: app.labels, label: Number(label), name: app.labelsName };
-    organs.change(organs.chosen, { start, seed: null, corrections: [], result: null });
-    say("");
-    showAll();
   }
 }
 

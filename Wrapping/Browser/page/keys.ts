@@ -3,6 +3,7 @@ import { answerChosen, visitNextQuestion } from "./answering.js";
 import { app, organs, view } from "./app.js";
 import { element } from "./dom.js";
 import { setWindow } from "./images.js";
+import { makeLabelSurfaces } from "./labelsurfaces.js";
 import { chooseTool, showAll } from "./panel.js";
 import { placeHere, resizeSeed } from "./placing.js";
 import { segment } from "./runs.js";
@@ -41,7 +42,7 @@ const keys: Record<string, () => void> = {
   "-": () => resizeSeed(-1),
   z: () => view.zoomBy(1.25),
   Z: () => view.zoomBy(0.8),
-  Enter: () => void segment(),
+  Enter: () => void (app.opened?.isLabelMap ? makeLabelSurfaces() : segment()),
   ArrowLeft: () => view.moveCrosshair(1, 0, 0), // toward the patient's right, which is on the left
   ArrowRight: () => view.moveCrosshair(-1, 0, 0),
   ArrowUp: () => view.moveCrosshair(0, 1, 0),

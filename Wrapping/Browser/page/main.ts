@@ -3,13 +3,15 @@ import { listenToQuestions } from "./answering.js";
 import { organs } from "./app.js";
 import { button, element, input, select } from "./dom.js";
 import { droppedFiles } from "./drop.js";
-import { openFiles, openLabels, openPhantom, setWindow, takePhantomSeed, takeStartLabel } from "./images.js";
+import { openFiles, openPhantom, setWindow, takePhantomSeed } from "./images.js";
 import { listenToKeys, redo, undo } from "./keys.js";
+import { openLabels, takeStartLabel } from "./labelmaps.js";
+import { makeLabelSurfaces } from "./labelsurfaces.js";
 import { chooseTool, refresh, showAll } from "./panel.js";
 import { listenToPlaces } from "./placing.js";
 import { listenToPointer } from "./preview.js";
 import { segment } from "./runs.js";
-import { saveLabels, saveSession, saveSurface } from "./saving.js";
+import { saveLabelSurfaces, saveLabels, saveSession, saveSurface } from "./saving.js";
 import { complain } from "./status.js";
 import { cancel } from "./work.js";
 
@@ -64,6 +66,8 @@ function listenToControls(): void {
     redo,
     run: () => void segment(),
     cancel,
+    "label-surfaces": () => void makeLabelSurfaces(),
+    "save-label-surfaces": () => void saveLabelSurfaces(),
     "save-surface": () => void saveSurface(),
     "save-labels": () => void saveLabels(),
     "save-session": saveSession,

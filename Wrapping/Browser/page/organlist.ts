@@ -1,12 +1,6 @@
 /** The list of organs in the panel: a row each, to choose, color, name and remove it. */
+import { field } from "./dom.js";
 import type { Organs, OrganState } from "./organs.js";
-
-function field(type: string, label: string): HTMLInputElement {
-  const made = document.createElement("input");
-  made.type = type;
-  made.setAttribute("aria-label", label);
-  return made;
-}
 
 function rowOf(organ: OrganState, organs: Organs, changed: () => void): HTMLLIElement {
   const choose = field("radio", `Choose ${organ.name}`);

@@ -47,6 +47,19 @@ interface State {
 /** None like the blue of doubtful places, or the magenta of questions. */
 const colors = ["#ffd24a", "#8fe388", "#ff8a7a", "#d9a0ff", "#ffb347", "#ff9ed2", "#c8e65a", "#e6cfa8"];
 
+/** Of label maps, with more labels than that, those further on have hues that no neighbor in the list has. */
+export function colorOf(at: number): string {
+  if (at < colors.length) {
+    return colors[at];
+  }
+  const hue = (at * 137.5) % 360;
+  const channel = (shift: number) => {
+    const part = (shift + hue / 30) % 12; // CSS Color 4, "Converting HSL to sRGB"
+    return Math.round(255 * (0.65 - 0.3 * Math.max(-1, Math.min(part - 3, 9 - part, 1))));
+  };
+  return `#${[0, 8, 4].map((shift) => channel(shift).toString(16).padStart(2, "0")).join("")}`;
+}
+
 /** Whether a session holds all that a run needs. */
 export function canRepeat({ kind, seed, points }: SessionOrgan): boolean {
   return kind === "vessel" ? points.length > 1 : seed !== null;

@@ -21,6 +21,8 @@ export interface ShownSurface {
   points: Float64Array; // RAS
   triangles: Uint32Array;
   fractions: Float64Array; // of the volume's extents, by which NiiVue counts slices
+  least: number[]; // of the fractions along each axis
+  most: number[];
   confidence: Float32Array; // of the vertices
   color: string;
   isChosen: boolean;
@@ -89,7 +91,10 @@ function drawSegments(context: Context, tile: Tile, segments: number[], color: s
 function drawContour(context: Context, niivue: Niivue, tile: Tile, surface: ShownSurface): void {
   const { away } = axes(tile);
   const slice = niivue.scene.crosshairPos[away];
-  const { points, triangles, fractions, confidence } = surface;
+  const { points, triangles, fractions, least, most, confidence } = surface;
+  if (slice < least[away] || slice > most[away]) {
+    return;
+  }
   const values = new Float64Array(points.length / 3);
   for (let vertex = 0; vertex < values.length; ++vertex) {
     values[vertex] = fractions[3 * vertex + away] - slice;

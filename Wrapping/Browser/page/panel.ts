@@ -2,6 +2,8 @@
 import { type Seed, isOrgan } from "../flipfree/index.js";
 import { app, organs, view } from "./app.js";
 import { button, element, input, select } from "./dom.js";
+import { showLabels } from "./labellist.js";
+import { viewedLabels } from "./labelsurfaces.js";
 import type { ViewedOrgan } from "./marks.js";
 import { showOrgans } from "./organlist.js";
 import { type OrganState, canRepeat, canRun } from "./organs.js";
@@ -29,8 +31,8 @@ export function chosenTool(): Tool {
 
 function canUse(tool: Tool): boolean {
   const { kind } = organs.chosen;
-  if (tool === "navigate") {
-    return true;
+  if (tool === "navigate" || app.opened?.isLabelMap) {
+    return tool === "navigate";
   }
   return kind === "vessel" ? tool === "point" : tool === "seed" || (tool !== "point" && canRun(organs.chosen));
 }
@@ -62,7 +64,7 @@ function refreshTools(): void {
     radioOf(tool).parentElement!.hidden = tool !== "navigate" && (tool === "point") !== isVessel;
   }
   if (radioOf(chosenTool()).disabled) {
-    radioOf(isVessel ? "point" : "seed").checked = true;
+    radioOf((["seed", "point"] as const).find(canUse) ?? "navigate").checked = true;
   }
   showHint();
   element("seed-numbers").hidden = isVessel;
@@ -71,17 +73,30 @@ function refreshTools(): void {
   }
 }
 
+/** A label map alone has no organs to segment. */
+function refreshLabels(isBusy: boolean): void {
+  const isAlone = app.opened?.isLabelMap ?? false;
+  for (const id of ["organ-controls", "seed-controls", "run"]) {
+    element(id).hidden = isAlone;
+  }
+  element("label-controls").hidden = !app.labels;
+  element("label-controls").classList.toggle("alone", isAlone);
+  element<HTMLFieldSetElement>("label-controls").disabled = isBusy;
+  button("label-surfaces").classList.toggle("primary", isAlone);
+  button("save-label-surfaces").disabled = isBusy || !app.labelSurfaces.some(({ isShown }) => isShown);
+}
+
 /** What can be done now. */
 export function refresh(): void {
   const isBusy = app.running !== null;
-  for (const id of ["open-files", "open-folder", "open-phantom"]) {
+  for (const id of ["open-files", "open-folder", "open-labels", "open-phantom"]) {
     button(id).disabled = isBusy;
   }
   for (const id of ["organ-controls", "seed-controls"]) {
     element<HTMLFieldSetElement>(id).disabled = !app.opened || isBusy;
   }
-  button("open-labels").disabled = !app.opened || isBusy;
   refreshTools();
+  refreshLabels(isBusy);
   select("window").disabled = !app.opened;
   button("undo").disabled = !organs.canUndo;
   button("redo").disabled = !organs.canRedo;
@@ -139,10 +154,11 @@ export function showAll(): void {
   const { start } = organs.chosen; // maybe from a label map that was opened before
   select("start-label").value = start && start.labels === app.labels ? String(start.label) : "";
   showPoints(element("points"), organs.chosen);
+  showLabels(element("labels-list"), app.labelSurfaces, showAll);
   showQuestions(organs.chosen);
   showResult(organs.chosen);
   if (app.opened) {
-    view.setOrgans(viewedOrgans());
+    view.setOrgans([...viewedLabels(), ...viewedOrgans()]);
   }
   refresh();
 }

@@ -1,6 +1,6 @@
 /** Placing: seeds, points that correct an organ, and points of a vessel; by mouse, by numbers, at the cross-hair. */
 import type { Seed, Triple } from "../flipfree/index.js";
-import { organs, view } from "./app.js";
+import { app, organs, view } from "./app.js";
 import { input, select } from "./dom.js";
 import type { Correction } from "./organs.js";
 import { chosenTool, showAll, showSeed, viewedOrgans } from "./panel.js";
@@ -60,6 +60,9 @@ function placePoints(positions: readonly Triple[]): void {
 
 /** At the cross-hair; navigating places the seed. */
 export function placeHere(): void {
+  if (app.opened?.isLabelMap) {
+    return; // nothing to segment
+  }
   const place = view.crosshair;
   if (chosenTool() === "seed" || (chosenTool() === "navigate" && organs.chosen.kind === "organ")) {
     setSeed({ center: place, radius: organs.chosen.seed?.radius ?? radiusOf() });

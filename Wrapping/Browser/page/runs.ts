@@ -10,6 +10,11 @@ import { work } from "./work.js";
 /** The organ of which the kernels keep what its corrections do not change. */
 export let keptOrgan: Organ | null = null;
 
+/** A worker that was stopped keeps nothing. */
+export function forgetOrgan(): void {
+  keptOrgan = null;
+}
+
 async function find(organ: OrganState, signal: AbortSignal): Promise<Organ | Vessel> {
   const { image } = app.opened!;
   const { kind, preset, parameters, seed, start, points } = organ;
@@ -21,9 +26,9 @@ async function find(organ: OrganState, signal: AbortSignal): Promise<Organ | Ves
     keptOrgan = await flipfree.segment(image, (seed ?? start)!, { ...options, preset, ...correctionsOf(organ) });
     return keptOrgan;
   } catch (error) {
-    // Points that are refused leave it; another organ does not, and a worker that was stopped keeps nothing.
+    // Points that are refused leave it; another organ does not.
     if (signal.aborted || (kind === "organ" && organ.result !== keptOrgan)) {
-      keptOrgan = null;
+      forgetOrgan();
     }
     throw error;
   }

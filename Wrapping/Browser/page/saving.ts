@@ -6,12 +6,13 @@ import {
   fillRuns,
   isSinglePrecision,
   roundedSurface,
+  roundsPoints,
 } from "../flipfree/index.js";
 import { app, flipfree, organs } from "./app.js";
 import { select } from "./dom.js";
 import { canRepeat, canRun } from "./organs.js";
 import { fileNameOf, sessionFile } from "./session.js";
-import { say } from "./status.js";
+import { say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
 declare const FLIPFREE_VERSION: string; // of the build
@@ -27,7 +28,7 @@ function save(file: Blob, name: string): void {
 
 /** What was certified leaves as a valid surface: where the format rounds, the rounded one is checked. */
 async function requireValid({ surface, certified }: Segmentation, format: SurfaceFormat): Promise<void> {
-  if (certified && format !== "vtp" && !isSinglePrecision(surface)) {
+  if (certified && roundsPoints(format) && !isSinglePrecision(surface)) {
     const pairs = await flipfree.selfIntersections(roundedSurface(surface));
     if (pairs > 0) {
       throw new Error(`${format.toUpperCase()} rounds the vertices, and the surface would intersect itself (${pairs} pairs of faces); save it as VTP`);
@@ -44,6 +45,24 @@ export const saveSurface = () =>
       const names = { image: app.opened?.name, organ: name, color, startLabels: start?.name };
       save(await flipfree.surfaceFile(result, format, names), `${fileNameOf(name)}.${format}`);
     }
+  });
+
+/** Between files, or browsers leave some out. */
+const pause = () => new Promise((resolve) => setTimeout(resolve, 150));
+
+/** Those that are shown, a file each, called as the command calls them. */
+export const saveLabelSurfaces = () =>
+  work("Saving …", async (signal) => {
+    const format = select("surface-format").value as SurfaceFormat;
+    const shown = app.labelSurfaces.filter(({ isShown }) => isShown);
+    for (const [at, { found, name }] of shown.entries()) {
+      const file = await flipfree.labelSurfaceFile(found, format, name);
+      signal.throwIfAborted();
+      save(file.data, file.name);
+      showProgress((at + 1) / shown.length);
+      await pause();
+    }
+    say(`Saved ${shown.length} of ${app.labelSurfaces.length} surfaces.`);
   });
 
 /** Labels count the organs that have a seed or fill a label, and vessels with points; a voxel in several belongs to the first.

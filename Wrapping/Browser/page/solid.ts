@@ -30,6 +30,7 @@ function colorsOf({ color, confidence }: ShownSurface): Uint8Array {
 export class Solid {
   private readonly niivue = new Niivue({ ...niivueOptions, show3Dcrosshair: false, isOrientCube: true });
   private isReady: Promise<void> | null = null;
+  private meshes: { shown: ShownSurface; mesh: NVMesh }[] = [];
 
   constructor(private readonly canvas: HTMLCanvasElement) {}
 
@@ -48,14 +49,21 @@ export class Solid {
     }
   }
 
+  /** What is drawn already stays. */
   private draw(surfaces: readonly ShownSurface[]): void {
-    for (const mesh of [...this.niivue.meshes]) {
-      this.niivue.removeMesh(mesh);
+    const drawn = this.meshes;
+    this.meshes = surfaces.map((shown) => {
+      const same = drawn.find((one) => one.shown.points === shown.points && one.shown.color === shown.color);
+      return same ?? { shown, mesh: this.meshOf(shown) };
+    });
+    for (const { mesh } of drawn.filter((one) => !this.meshes.includes(one))) {
+      mesh.unloadMesh(this.niivue.gl);
     }
-    for (const shown of surfaces) {
-      const points = Float32Array.from(shown.points);
-      this.niivue.addMesh(new NVMesh(points, shown.triangles, "surface", colorsOf(shown), 1, true, this.niivue.gl));
-    }
-    this.niivue.drawScene();
+    this.niivue.meshes = this.meshes.map(({ mesh }) => mesh);
+    this.niivue.updateGLVolume();
+  }
+
+  private meshOf(shown: ShownSurface): NVMesh {
+    return new NVMesh(Float32Array.from(shown.points), shown.triangles, "surface", colorsOf(shown), 1, true, this.niivue.gl);
   }
 }

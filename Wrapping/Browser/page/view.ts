@@ -1,10 +1,11 @@
 /** Slices on the screen. NiiVue draws the volume, and the surfaces in 3D; what is drawn over its slices and what the pointer does
  * there is ours. NiiVue's coordinates are RAS, all others LPS. */
 import { Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
-import { type Seed, type Surface, type Triple, trianglesOf } from "../flipfree/index.js";
+import type { Seed, Triple } from "../flipfree/index.js";
 import { type ViewedOrgan, marksOf, swapped } from "./marks.js";
-import { type Marks, type ShownPreview, type ShownSurface, drawOverlay } from "./overlay.js";
+import { type Marks, type ShownPreview, drawOverlay } from "./overlay.js";
 import { type QuestionMark, questionMarkAt } from "./questionmarks.js";
+import { ShownSurfaces } from "./shownsurfaces.js";
 import { Solid, niivueOptions } from "./solid.js";
 import { thinned } from "./stroke.js";
 import { type Point, type Tile, pixelWithin, pointAt, tileAt } from "./tiles.js";
@@ -40,6 +41,7 @@ const strokeStep = 3;
 export class View {
   private readonly slices: Niivue;
   private readonly solid: Solid;
+  private readonly surfaces = new ShownSurfaces();
   private marks: Marks = {
     surfaces: [],
     seeds: [],
@@ -114,6 +116,7 @@ export class View {
   /** Shows a volume, and nothing else any more. The window comes with it: with each, NiiVue makes its textures anew. */
   show(opened: OpenImage, [least, greatest]: [number, number]): void {
     this.setOrgans([]);
+    this.surfaces.forget();
     for (const volume of [...this.slices.volumes]) {
       this.slices.removeVolume(volume);
     }
@@ -185,7 +188,7 @@ export class View {
   setOrgans(organs: ViewedOrgan[]): void {
     this.marks = {
       ...this.marks,
-      surfaces: organs.flatMap((organ) => (organ.surface ? [this.shownSurface(organ, organ.surface)] : [])),
+      surfaces: this.surfaces.of(organs, (point) => this.slices.mm2frac(point)),
     };
     this.solid.show(this.marks.surfaces);
     this.setMarks(organs);
@@ -195,16 +198,6 @@ export class View {
   setMarks(organs: ViewedOrgan[]): void {
     this.marks = { ...this.marks, ...marksOf(organs, 2 * this.strokeStep) };
     this.drawMarks();
-  }
-
-  private shownSurface({ color, isChosen, confidence }: ViewedOrgan, surface: Surface): ShownSurface {
-    const points = Float64Array.from(surface.points, (value, at) => (at % 3 === 2 ? value : -value));
-    const fractions = new Float64Array(points.length);
-    for (let at = 0; at < points.length; at += 3) {
-      fractions.set(this.slices.mm2frac([points[at], points[at + 1], points[at + 2]]), at);
-    }
-    const sure = () => new Float32Array(points.length / 3).fill(1);
-    return { points, triangles: trianglesOf(surface), fractions, confidence: confidence ?? sure(), color, isChosen };
   }
 
   private drawMarks(): void {

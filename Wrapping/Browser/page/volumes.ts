@@ -1,6 +1,6 @@
 /** Files from the local disk as images: understood by the kernels, shown by NiiVue. */
 import { NVImage } from "@niivue/niivue";
-import { type Image, type Voxels, affineOf } from "../flipfree/index.js";
+import { type Image, type Segment, type Voxels, affineOf } from "../flipfree/index.js";
 import { flipfree } from "./app.js";
 
 export interface OpenImage {
@@ -14,6 +14,10 @@ export interface OpenImage {
   shown: NVImage;
   /** Of DICOM. */
   series?: string;
+  /** Of a label map, where the file names its labels. */
+  segments: Segment[];
+  /** Whether it was opened as a label map: there is nothing to segment. */
+  isLabelMap: boolean;
   /** Of the file: what it does not say, or says twice. */
   warnings: string[];
 }
@@ -29,7 +33,7 @@ export async function imageOfVoxels(name: string, title: string, image: Image): 
     image.voxels as Int16Array,
   );
   const shown = await NVImage.loadFromUrl({ url: file, name: "volume.nii" });
-  return { name, title, image, shown, warnings: [] };
+  return { name, title, image, shown, segments: [], isLabelMap: false, warnings: [] };
 }
 
 /** What NiiVue shows; it has no other types of voxels. */
@@ -42,9 +46,9 @@ function shownVoxels(voxels: Voxels): Voxels {
 /** The volume in a file, or the largest series among DICOM files. */
 export async function readFiles(files: File[]): Promise<OpenImage> {
   const named = files.map((file) => ({ name: file.webkitRelativePath || file.name, data: file }));
-  const { name: file, series, image, warnings } = await flipfree.readVolume(named);
+  const { name: file, series, image, segments, warnings } = await flipfree.readVolume(named);
   const name = series === undefined ? file : file.split("/")[0];
   const title = series === undefined ? name : `${name}, series ${series}`;
   const opened = await imageOfVoxels(name, title, { ...image, voxels: shownVoxels(image.voxels) });
-  return { ...opened, image, series, warnings };
+  return { ...opened, image, series, segments, warnings };
 }
