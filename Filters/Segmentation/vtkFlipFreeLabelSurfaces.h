@@ -138,8 +138,8 @@ public:
   ///@{
   /**
    * Close tunnels through the parts of labels if no ball of this diameter passes, by a sheet of
-   * voxels where they are narrow. A tunnel through which another label runs stays open. Millimeters,
-   * exact to a voxel; default 0, which leaves all open, 0 to 10^6.
+   * voxels where they are narrow. A tunnel through which another label runs stays open.
+   * Millimeters, exact to a voxel; default 0, which leaves all open, 0 to 10^6.
    */
   void SetFillTunnels(double value);
   double GetFillTunnels() const;

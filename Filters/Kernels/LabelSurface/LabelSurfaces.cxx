@@ -230,8 +230,7 @@ LabelSurfaces MakeLabelSurfaces(const LabelGrid& grid, const ImageGeometry& imag
   }
   else
   {
-    RelaxedWalls smooth(SmoothLabels(*kept, walls.TakeCut(parallelFor), parallelFor),
-      parallelFor);
+    RelaxedWalls smooth(SmoothLabels(*kept, walls.TakeCut(parallelFor), parallelFor), parallelFor);
     if (!smooth.Relax(voxels, CellBound, settings.Iterations, parallelFor,
           PartOf(monitor, 0.5, 0.8)))
     {
