@@ -30,6 +30,8 @@ esac
 cd -P "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 jobs=$(nproc)
+# What another clone on this machine has compiled serves as well.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
 step()
 {

@@ -4,6 +4,7 @@
 #include "ExecutionAdapter.h"
 #include "FilterReport.h"
 #include "LabelAdapter.h"
+#include "LabelSurface/LabelColumns.h"
 #include "LabelSurface/LabelSurfaceParameters.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
@@ -114,31 +115,18 @@ void FillSurfaces(const FlipFree::LabelSurfaces& surfaces, const LabelNames& nam
 void FillTable(const std::vector<FlipFree::LabelMeasures>& rows, const LabelNames& names,
   vtkTable* table)
 {
-  using FlipFree::AddColumnOf;
-  using Row = const FlipFree::LabelMeasures&;
-  AddColumnOf<vtkIntArray>(table, { "Label", true, [](Row row) -> double { return row.Label; } },
-    rows);
+  const std::vector<FlipFree::TableColumn<FlipFree::LabelMeasures>>& columns =
+    FlipFree::LabelColumns();
+  FlipFree::AddColumns(table, { columns.begin(), columns.begin() + 1 }, rows);
   vtkNew<vtkStringArray> column;
   column->SetName("Name");
-  for (Row row : rows)
+  for (const FlipFree::LabelMeasures& row : rows)
   {
     const auto name = names.find(row.Label);
     column->InsertNextValue(name == names.end() ? std::string() : name->second);
   }
   table->AddColumn(column);
-  AddColumnOf<vtkDoubleArray>(table,
-    { "Milliliters", false, [](Row row) { return row.Volume / 1000; } }, rows);
-  AddColumnOf<vtkIdTypeArray>(table,
-    { "Voxels", true, [](Row row) { return static_cast<double>(row.Voxels); } }, rows);
-  AddColumnOf<vtkDoubleArray>(table,
-    { "VoxelMilliliters", false, [](Row row) { return row.VoxelVolume / 1000; } }, rows);
-  AddColumnOf<vtkIdTypeArray>(table,
-    { "WrongVoxels", true, [](Row row) { return static_cast<double>(row.WrongVoxels); } }, rows);
-  AddColumnOf<vtkDoubleArray>(table, { "Area", false, [](Row row) { return row.Area; } }, rows);
-  AddColumnOf<vtkIntArray>(table,
-    { "EulerNumber", true, [](Row row) -> double { return row.EulerNumber; } }, rows);
-  AddColumnOf<vtkIntArray>(table,
-    { "Triangles", true, [](Row row) -> double { return row.Triangles; } }, rows);
+  FlipFree::AddColumns(table, { columns.begin() + 1, columns.end() }, rows);
 }
 
 } // namespace

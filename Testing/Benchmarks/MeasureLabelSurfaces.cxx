@@ -2,9 +2,9 @@
 // allows, and exact ones of parts of at least 100 mm3 without cavities; beside them those of the
 // usual chain, as 3D Slicer has it: vtkDiscreteFlyingEdges3D and vtkWindowedSincPolyDataFilter, a
 // label at a time; and those of surface nets and zmesh, where a Python has them
-// (label_surface_peers.py).
+// (label_surface_peers.py). With --fill, TetGen and gmsh fill all with tetrahedra.
 //
-//   MeasureLabelSurfaces [--folder DIR] [--peers PYTHON] LABELS ...
+//   MeasureLabelSurfaces [--folder DIR] [--peers PYTHON [--fill]] LABELS ...
 //
 // A row per label map and way:
 //
@@ -19,6 +19,7 @@
 //   collapse   greatest distance to the walls before edges were collapsed, mm
 //   seconds    in memory, without files; memory is the peak above that of the label map (of what
 //              Python made, that of reading it back)
+//   not filled labels that TetGen and gmsh do not fill (fill_surfaces.py)
 #include "CaseList.h"
 #include "FindWithCGAL.h"
 #include "LabelAdapter.h"
@@ -53,6 +54,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 
 namespace
 {
@@ -254,6 +256,20 @@ struct Way
   double Seconds = 0; // if it was timed elsewhere
 };
 
+// How many surfaces of a folder TetGen and gmsh do not fill.
+std::string UnfilledIn(const fs::path& folder, const std::string& python)
+{
+  const std::string command =
+    python + " \"" FLIPFREE_FILL_SURFACES "\" \"" + folder.string() + "\"";
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), &pclose);
+  int counts[2] = { -1, -1 };
+  if (!output || std::fscanf(output.get(), "%d %d", &counts[0], &counts[1]) != 2)
+  {
+    throw std::runtime_error("failed: " + command);
+  }
+  return std::to_string(counts[0]) + ", " + std::to_string(counts[1]);
+}
+
 // What a Python with other software makes of a label map.
 std::vector<Way> PeersOf(const std::string& python, const std::string& file, const fs::path& folder)
 {
@@ -286,7 +302,8 @@ std::vector<Way> PeersOf(const std::string& python, const std::string& file, con
   return ways;
 }
 
-void Measure(const std::string& file, const std::string& folder, const std::string& peers)
+void Measure(const std::string& file, const std::string& folder, const std::string& peers,
+  bool fill)
 {
   vtkNew<vtkMedicalImageReader> reader;
   reader->SetFileName(file.c_str());
@@ -332,12 +349,15 @@ void Measure(const std::string& file, const std::string& folder, const std::stri
     const double seconds = way.Seconds > 0 ? way.Seconds : watch.Lap();
     const double memory = PeakMemory() - before;
     int invalid = 0;
+    const fs::path files = fs::path(folder) / "flipfree-surfaces";
+    fs::remove_all(files);
+    fs::create_directories(files);
     std::vector<double> angles;
     double deviation = 0;
     std::size_t triangles = 0;
     for (const auto& [label, data] : surfaces)
     {
-      invalid += IsValidFile(data, folder + "/flipfree-label.stl") ? 0 : 1;
+      invalid += IsValidFile(data, files / (std::to_string(label) + ".stl")) ? 0 : 1;
       if (data->GetNumberOfPolys() == 0)
       {
         continue;
@@ -366,11 +386,12 @@ void Measure(const std::string& file, const std::string& folder, const std::stri
     }
     std::nth_element(angles.begin(),
       angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2), angles.end());
-    std::printf("| %s | %s | %zu | %zu | %d | %zu | %.1f, %.1f | %.2f | %.2f | %.2f | %.0f |\n",
+    std::printf(
+      "| %s | %s | %zu | %zu | %d | %zu | %.1f, %.1f | %.2f | %.2f | %.2f | %.0f | %s |\n",
       name.c_str(), way.Name.c_str(), voxels.size(), triangles, invalid, differing,
       std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, angles.size()))),
       angles.empty() ? 0.0 : angles[angles.size() / 2], deviation, collapse, seconds,
-      memory / (1 << 20));
+      memory / (1 << 20), fill ? UnfilledIn(files, peers).c_str() : "-");
     std::fflush(stdout);
   }
 }
@@ -384,17 +405,19 @@ int main(int argc, char* argv[])
   std::vector<std::string> files;
   CLI::App app("Measures surfaces of labels, ours and those of the usual chain.");
   app.add_option("--folder", folder, "where files are written")->capture_default_str();
-  app.add_option("--peers", peers, "a Python that has other software");
+  auto* const option = app.add_option("--peers", peers, "a Python that has other software");
+  bool fill = false;
+  app.add_flag("--fill", fill, "fill the surfaces with tetrahedra")->needs(option);
   app.add_option("labels", files, "label maps")->required();
   CLI11_PARSE(app, argc, argv);
-  std::puts(
-    "| label map | way | labels | triangles | invalid | differing | rough | volume, % | "
-    "collapse, mm | seconds | memory, MiB |\n|---|---|---|---|---|---|---|---|---|---|---|");
+  std::puts("| label map | way | labels | triangles | invalid | differing | rough | volume, % | "
+            "collapse, mm | seconds | memory, MiB | not filled |\n"
+            "|---|---|---|---|---|---|---|---|---|---|---|---|");
   try
   {
     for (const std::string& file : files)
     {
-      Measure(file, folder, peers);
+      Measure(file, folder, peers, fill);
     }
   }
   catch (const std::exception& error)

@@ -285,6 +285,9 @@ test("exact surfaces of all labels are closed, have the label map's voxels, and 
       assert.ok(readFileSync(join(scratch, name)).equals(readFileSync(join(scratch, "exact", name))), name);
     }
   }
+  const rows = found.labels.map(({ surface, ...measures }) => ({ ...measures, name: "", file: `${measures.label}.obj` }));
+  const table = await flipfree.labelTableFile(rows);
+  assert.equal(await table.data.text(), readFileSync(join(scratch, "exact", table.name), "utf8"));
   command(scratch, "surfaces", "abdomen-truth.nii.gz", "-o", "exact", "--exact", "--format", "vtp", "-q");
   const name = await writeLabel(found.labels[0], "vtp");
   assert.deepEqual(fieldDataOf(join(scratch, name)), fieldDataOf(join(scratch, "exact", name)));

@@ -108,7 +108,11 @@ test("surfaces of a label map alone: made, listed, colored, hidden, named, saved
   await page.click("#save-label-surfaces");
   await status("Saved 3 of 11 surfaces.");
   page.removeAllListeners("download");
-  assert.deepEqual(files.map((file) => file.suggestedFilename()), ["2-right_kidney.stl", "4-left_kidney.stl", "11.stl"]);
+  assert.deepEqual(files.map((file) => file.suggestedFilename()), ["2-right_kidney.stl", "4-left_kidney.stl", "11.stl", "surfaces.csv"]);
+  const lines = readFileSync(await files[3].path(), "utf8").trim().split("\n");
+  assert.equal(lines.length, 12);
+  assert.match(lines[2], /^2,right kidney,.*,2-right_kidney\.stl$/);
+  assert.match(lines[3], /^3,.*,$/); // not saved
   for (const [file, native] of [[files[0], "2.stl"], [files[1], "4-left_kidney.stl"], [files[2], "11.stl"]]) {
     assert.ok(readFileSync(await file.path()).equals(readFileSync(result(join("exact", native)))), native);
   }

@@ -34,12 +34,10 @@ namespace Command
 namespace
 {
 
-// LABEL.stl, or LABEL-NAME.stl.
 std::string FileOf(vtkTable* table, vtkIdType row, const std::string& format)
 {
-  const std::string label = table->GetValueByName(row, "Label").ToString();
-  const std::string name = FlipFree::FileNamePart(table->GetValueByName(row, "Name").ToString());
-  return label + (name.empty() ? "" : "-" + name) + "." + format;
+  return FlipFree::LabelFileName(table->GetValueByName(row, "Label").ToInt(),
+    table->GetValueByName(row, "Name").ToString(), format);
 }
 
 std::vector<LabelSummary> SummariesOf(vtkTable* table)

@@ -35,6 +35,8 @@ build_packages=(
 )
 
 test_packages=(
+  # Compiles nothing a second time.
+  ccache
   # In which the page is tested.
   chromium
   # Builds what runs under the sanitizers.

@@ -51,6 +51,13 @@ inline std::string FileNamePart(std::string text)
   return text;
 }
 
+/// Of a label's surface: LABEL.ending, or LABEL-NAME.ending.
+inline std::string LabelFileName(int label, const std::string& name, const std::string& ending)
+{
+  const std::string part = FileNamePart(name);
+  return std::to_string(label) + (part.empty() ? "" : "-" + part) + "." + ending;
+}
+
 } // namespace FlipFree
 
 #endif

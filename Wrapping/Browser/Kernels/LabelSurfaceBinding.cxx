@@ -2,11 +2,15 @@
 #include "Answers.h"
 
 #include "Exchange/FileNames.h"
+#include "Exchange/TableText.h"
 #include "Image/GridCheck.h"
+#include "LabelSurface/LabelColumns.h"
 #include "LabelSurface/LabelSurfaceParameters.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <emscripten/bind.h>
+
+#include <map>
 
 namespace FlipFree
 {
@@ -22,18 +26,50 @@ val SurfaceOfLabel(const TrianglesByLabel& triangles, int index)
     : SurfaceObject(boundary.Points, FacesOf(boundary.Triangles));
 }
 
+// By the columns of tables: the fields of a LabelSurface.
+const std::map<std::string, const char*>& Fields()
+{
+  static const std::map<std::string, const char*> fields{ { "Label", "label" },
+    { "Milliliters", "volume" }, { "Voxels", "voxels" }, { "VoxelMilliliters", "voxelVolume" },
+    { "WrongVoxels", "wrongVoxels" }, { "Area", "area" }, { "EulerNumber", "eulerNumber" },
+    { "Triangles", "triangles" } };
+  return fields;
+}
+
 val MeasuresOf(const LabelMeasures& measures)
 {
   val object = val::object();
-  object.set("label", measures.Label);
-  object.set("volume", measures.Volume / 1000);
-  object.set("voxels", static_cast<double>(measures.Voxels));
-  object.set("voxelVolume", measures.VoxelVolume / 1000);
-  object.set("wrongVoxels", static_cast<double>(measures.WrongVoxels));
-  object.set("area", measures.Area);
-  object.set("eulerNumber", measures.EulerNumber);
-  object.set("triangles", measures.Triangles);
+  for (const TableColumn<LabelMeasures>& column : LabelColumns())
+  {
+    object.set(Fields().at(column.Name), column.Read(measures));
+  }
   return object;
+}
+
+// Of rows { ...measures, name, file }.
+std::string TableOf(const val& rows)
+{
+  std::vector<std::string> columns;
+  for (const TableColumn<LabelMeasures>& column : LabelColumns())
+  {
+    columns.emplace_back(column.Name);
+  }
+  std::vector<std::vector<TableCell>> cells;
+  for (const val& row : emscripten::vecFromJSArray<val>(rows))
+  {
+    cells.emplace_back();
+    for (const TableColumn<LabelMeasures>& column : LabelColumns())
+    {
+      const auto value = row[Fields().at(column.Name)].as<double>();
+      cells.back().push_back(
+        column.IsCount ? TableCell(static_cast<std::int64_t>(value)) : TableCell(value));
+    }
+    cells.back().insert(cells.back().begin() + 1, row["name"].as<std::string>());
+    cells.back().push_back(row["file"].as<std::string>());
+  }
+  columns.insert(columns.begin() + 1, "Name");
+  columns.push_back("File");
+  return TextOfTable(columns, cells);
 }
 
 val AnswerOf(const LabelSurfaces& found)
@@ -84,7 +120,8 @@ void BindLabelSurfaces()
 {
   emscripten::function("labelSurfaceParameters", &DefaultLabelSurfaceParameters);
   emscripten::function("labelSurfaces", &MakeSurfaces);
-  emscripten::function("fileNamePart", &FileNamePart);
+  emscripten::function("labelFileName", &LabelFileName);
+  emscripten::function("labelTable", &TableOf);
 }
 
 } // namespace FlipFree

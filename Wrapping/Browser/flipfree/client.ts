@@ -2,7 +2,7 @@
 import type { PhantomShape } from "./engine.js";
 import type { Answers, FromWorker, Kind, Requests, ToWorker } from "./messages.js";
 import type { OriginNames } from "./provenance.js";
-import type { SurfaceFormat } from "./surfacefiles.js";
+import type { LabelRow, SurfaceFormat } from "./surfacefiles.js";
 import {
   type DicomSeries,
   type EvaluateOptions,
@@ -205,6 +205,11 @@ export class FlipFree {
   /** A file of a label's surface, as the command writes and calls it: 6.stl, or 6-liver.stl where the label has a name. */
   labelSurfaceFile({ label, surface }: LabelSurface, format: SurfaceFormat, name = ""): Promise<NamedFile> {
     return this.ask("labelSurfaceFile", { written: { label, surface }, format, name });
+  }
+
+  /** The table that the command writes beside these files: what the surfaces measure, and the files' names. */
+  labelTableFile(rows: readonly LabelRow[]): Promise<NamedFile> {
+    return this.ask("labelTableFile", { rows });
   }
 
   phantom(shape: PhantomShape, options: PhantomOptions = {}): Promise<Phantom> {

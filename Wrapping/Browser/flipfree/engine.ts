@@ -6,7 +6,7 @@ import { type KernelDicom, listSeries, readSeries } from "./dicom.js";
 import { packed } from "./inflated.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
 import { type OriginNames, namedProvenance } from "./provenance.js";
-import type { SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
+import type { LabelRow, SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
 import {
   type Corrections,
   type DicomSeries,
@@ -82,7 +82,8 @@ export interface KernelModule extends KernelFiles, KernelDicom {
     format: string,
     provenance: string,
   ): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
-  fileNamePart(text: string): string;
+  labelFileName(label: number, name: string, ending: string): string;
+  labelTable(rows: readonly LabelRow[]): string;
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
@@ -302,8 +303,12 @@ export class Engine {
       throw new FlipFreeError(`Label ${label} has no surface`);
     }
     const { bytes } = this.checked(this.kernels.surfaceBytes({ surface, certified: true, label }, format, ""));
-    const part = this.kernels.fileNamePart(name);
-    return { name: `${label}${part && `-${part}`}.${format}`, data: new Blob([bytes], { type: mediaTypes[format] }) };
+    const data = new Blob([bytes], { type: mediaTypes[format] });
+    return { name: this.kernels.labelFileName(label, name, format), data };
+  }
+
+  labelTableFile(rows: readonly LabelRow[]): NamedFile {
+    return { name: "surfaces.csv", data: new Blob([this.kernels.labelTable(rows)], { type: "text/csv" }) };
   }
 
   phantom(shape: PhantomShape, parameters: Parameters = {}, report: Report = goOn): Phantom {

@@ -4,6 +4,7 @@ export { affineOf, countVoxels, fillRuns, swapLpsRas } from "./grid.js";
 export { labelsIn, mayBeLabelMap } from "./labels.js";
 export { type OriginNames, namedProvenance } from "./provenance.js";
 export {
+  type LabelRow,
   type SurfaceFormat,
   isSinglePrecision,
   roundedSurface,

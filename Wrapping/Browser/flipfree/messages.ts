@@ -3,7 +3,7 @@
  * A kind of work is an entry of `Requests` and `Answers` and a case of the worker: what a page sends and gets. */
 import type { PhantomShape } from "./engine.js";
 import type { OriginNames } from "./provenance.js";
-import type { SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
+import type { LabelRow, SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
 import type {
   Corrections,
   DicomSeries,
@@ -45,6 +45,7 @@ export interface Requests {
   labelMapFile: { labelMap: Image };
   surfaceFile: { result: WrittenSurface; format: SurfaceFormat; names: OriginNames };
   labelSurfaceFile: { written: WrittenLabel; format: SurfaceFormat; name: string };
+  labelTableFile: { rows: readonly LabelRow[] };
   phantom: { shape: PhantomShape; parameters: Parameters };
   memory: Record<string, never>;
 }
@@ -65,6 +66,7 @@ export interface Answers {
   labelMapFile: Blob;
   surfaceFile: Blob;
   labelSurfaceFile: NamedFile;
+  labelTableFile: NamedFile;
   phantom: Phantom;
   memory: number;
 }

@@ -11,6 +11,13 @@ export type WrittenSurface = Pick<Segmentation, "surface" | "certified" | "prove
 /** What a file takes of a label's surface. */
 export type WrittenLabel = Pick<LabelSurface, "label" | "surface">;
 
+/** A row of the table of a label map's surfaces. */
+export type LabelRow = Omit<LabelSurface, "surface"> & {
+  name: string;
+  /** Empty where there is none. */
+  file: string;
+};
+
 /** Formats that hold coordinates in single precision. */
 export const roundsPoints = (format: SurfaceFormat) => format === "stl" || format === "ply";
 

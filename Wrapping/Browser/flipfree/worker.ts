@@ -47,6 +47,7 @@ const work: Work = {
   labelMapFile: (engine, { labelMap }) => engine.labelMapFile(labelMap),
   surfaceFile: (engine, { result, format, names }) => engine.surfaceFile(result, format, names),
   labelSurfaceFile: (engine, { written, format, name }) => engine.labelSurfaceFile(written, format, name),
+  labelTableFile: (engine, { rows }) => engine.labelTableFile(rows),
   phantom: (engine, { shape, parameters }, report) => engine.phantom(shape, parameters, report),
   memory: (engine) => engine.memory,
 };

@@ -12,6 +12,7 @@ import { app, flipfree, organs } from "./app.js";
 import { select } from "./dom.js";
 import { canRepeat, canRun } from "./organs.js";
 import { fileNameOf, sessionFile } from "./session.js";
+import type { ListedLabel } from "./labelsurfaces.js";
 import { say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
@@ -50,18 +51,26 @@ export const saveSurface = () =>
 /** Between files, or browsers leave some out. */
 const pause = () => new Promise((resolve) => setTimeout(resolve, 150));
 
-/** Those that are shown, a file each, called as the command calls them. */
+/** Those that are shown, a file each, called as the command calls them; and its table. */
 export const saveLabelSurfaces = () =>
   work("Saving …", async (signal) => {
     const format = select("surface-format").value as SurfaceFormat;
     const shown = app.labelSurfaces.filter(({ isShown }) => isShown);
-    for (const [at, { found, name }] of shown.entries()) {
-      const file = await flipfree.labelSurfaceFile(found, format, name);
+    const files = new Map<ListedLabel, string>();
+    for (const label of shown) {
+      const file = await flipfree.labelSurfaceFile(label.found, format, label.name);
       signal.throwIfAborted();
       save(file.data, file.name);
-      showProgress((at + 1) / shown.length);
+      files.set(label, file.name);
+      showProgress(files.size / shown.length);
       await pause();
     }
+    const rows = app.labelSurfaces.map((label) => {
+      const { surface, ...measures } = label.found;
+      return { ...measures, name: label.name, file: files.get(label) ?? "" };
+    });
+    const table = await flipfree.labelTableFile(rows);
+    save(table.data, table.name);
     say(`Saved ${shown.length} of ${app.labelSurfaces.length} surfaces.`);
   });
 

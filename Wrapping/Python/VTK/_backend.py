@@ -31,18 +31,6 @@ from .FlipFreeSegmentation import (
 if TYPE_CHECKING:
     from ._images import AnySurface
 
-# The columns of the table of surfaces, by the fields of LabelMeasures.
-SURFACE_COLUMNS = {
-    "label": "Label",
-    "name": "Name",
-    "volume": "Milliliters",
-    "voxels": "Voxels",
-    "voxel_volume": "VoxelMilliliters",
-    "wrong_voxels": "WrongVoxels",
-    "area": "Area",
-    "euler_number": "EulerNumber",
-    "triangles": "Triangles",
-}
 # By the kind of a constraint.
 ADDING = ("AddOutsidePoint", "AddInsidePoint", "AddBoundaryPoint", "AddSeed")
 
@@ -237,7 +225,10 @@ class SurfacesAlgorithm:
             "greatest_distance": filter_.GetGreatestDistance(),
             "collapse_distance": filter_.GetCollapseDistance(),
             "rows": [
-                {name: _cell(table, row, column) for name, column in SURFACE_COLUMNS.items()}
+                {
+                    table.GetColumnName(column): _cell(table, row, table.GetColumnName(column))
+                    for column in range(table.GetNumberOfColumns())
+                }
                 for row in range(table.GetNumberOfRows())
             ],
         }

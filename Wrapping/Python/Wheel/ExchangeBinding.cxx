@@ -245,7 +245,7 @@ void BindExchange(nb::module_& module)
     nb::arg("points"), nb::arg("corners"), nb::arg("offsets"), nb::arg("fields"),
     nb::arg("point_data"), nb::arg("cell_data") = nb::dict(), nb::arg("are_lines") = false);
   module.def("read_label_names", &ReadLabelNameTable);
-  module.def("file_name_part", &FileNamePart);
+  module.def("label_file_name", &LabelFileName);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")
     .def("__init__",
       [](VolumeFileHeader* header, const std::string& name, const nb::bytes& start)

@@ -6,6 +6,7 @@
 
 #include "Exchange/SegmentationLayers.h"
 #include "Image/GridCheck.h"
+#include "LabelSurface/LabelColumns.h"
 #include "LabelSurface/LabelSurfaceParameters.h"
 
 #include <nanobind/stl/array.h>
@@ -46,20 +47,18 @@ std::map<int, std::string> LabelNamesOf(const VolumeFileHeader& header, int laye
   return names;
 }
 
+// By the names of the columns.
 nb::list RowsOf(const std::vector<LabelMeasures>& all)
 {
   nb::list rows;
   for (const LabelMeasures& measures : all)
   {
     nb::dict row;
-    row["label"] = measures.Label;
-    row["volume"] = measures.Volume / 1000;
-    row["voxels"] = measures.Voxels;
-    row["voxel_volume"] = measures.VoxelVolume / 1000;
-    row["wrong_voxels"] = measures.WrongVoxels;
-    row["area"] = measures.Area;
-    row["euler_number"] = measures.EulerNumber;
-    row["triangles"] = measures.Triangles;
+    for (const TableColumn<LabelMeasures>& column : LabelColumns())
+    {
+      const double value = column.Read(measures);
+      row[column.Name] = column.IsCount ? nb::cast(std::llround(value)) : nb::cast(value);
+    }
     rows.append(row);
   }
   return rows;

@@ -18,6 +18,20 @@ if TYPE_CHECKING:
     from ._images import AnyImage
 
 
+# The columns of tables, and the fields of LabelMeasures in them.
+COLUMNS = {
+    "Label": "label",
+    "Name": "name",
+    "Milliliters": "volume",
+    "Voxels": "voxels",
+    "VoxelMilliliters": "voxel_volume",
+    "WrongVoxels": "wrong_voxels",
+    "Area": "area",
+    "EulerNumber": "euler_number",
+    "Triangles": "triangles",
+}
+
+
 @dataclass(frozen=True)
 class LabelMeasures:
     """What the surface of a label is like. Volumes are in ml, the area is in square millimeters."""
@@ -126,7 +140,8 @@ def surfaces(
     with progress_of(progress, "surfaces") as tell:
         answer = algorithm.run(image, [int(label) for label in only], tell)
     rows = answer.pop("rows")
-    return LabelSurfaces(labels={row["label"]: LabelMeasures(**row) for row in rows}, **answer)
+    measures = [LabelMeasures(**{field: row[name] for name, field in COLUMNS.items()}) for row in rows]
+    return LabelSurfaces(labels={one.label: one for one in measures}, **answer)
 
 
 # Help and completion show the parameters as if they were spelled out above.

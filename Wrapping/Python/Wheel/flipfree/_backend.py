@@ -286,7 +286,7 @@ class SurfacesAlgorithm:
             tell,
         )
         for row in answer["rows"]:
-            row["name"] = labels.names.get(row["label"], "")
+            row["Name"] = labels.names.get(row["Label"], "")
         return answer
 
 

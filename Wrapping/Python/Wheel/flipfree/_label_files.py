@@ -10,21 +10,9 @@ from . import _kernels
 from ._atomic import write_table, write_to
 from ._segmentation import surface_of_label
 from ._surface_files import write_surface
-from ._surfaces import LabelSurfaces
+from ._surfaces import COLUMNS, LabelSurfaces
 
 TABLE = "surfaces.csv"
-# The columns of the table, and the fields of LabelMeasures in them.
-COLUMNS = {
-    "Label": "label",
-    "Name": "name",
-    "Milliliters": "volume",
-    "Voxels": "voxels",
-    "VoxelMilliliters": "voxel_volume",
-    "WrongVoxels": "wrong_voxels",
-    "Area": "area",
-    "EulerNumber": "euler_number",
-    "Triangles": "triangles",
-}
 
 
 def write_label_surfaces(
@@ -57,5 +45,4 @@ def _file_of(found: LabelSurfaces, label: int, ending: str) -> str:
     """Empty for a label of which no part is left."""
     if found.labels[label].triangles == 0:
         return ""
-    name = _kernels.file_name_part(found.labels[label].name)
-    return f"{label}-{name}.{ending}" if name else f"{label}.{ending}"
+    return str(_kernels.label_file_name(label, found.labels[label].name, ending))
