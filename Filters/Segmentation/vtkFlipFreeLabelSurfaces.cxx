@@ -115,18 +115,28 @@ void FillSurfaces(const FlipFree::LabelSurfaces& surfaces, const LabelNames& nam
 void FillTable(const std::vector<FlipFree::LabelMeasures>& rows, const LabelNames& names,
   vtkTable* table)
 {
-  const std::vector<FlipFree::TableColumn<FlipFree::LabelMeasures>>& columns =
-    FlipFree::LabelColumns();
-  FlipFree::AddColumns(table, { columns.begin(), columns.begin() + 1 }, rows);
-  vtkNew<vtkStringArray> column;
-  column->SetName("Name");
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("Name");
   for (const FlipFree::LabelMeasures& row : rows)
   {
     const auto name = names.find(row.Label);
-    column->InsertNextValue(name == names.end() ? std::string() : name->second);
+    texts->InsertNextValue(name == names.end() ? std::string() : name->second);
   }
-  table->AddColumn(column);
-  FlipFree::AddColumns(table, { columns.begin() + 1, columns.end() }, rows);
+  for (const FlipFree::TableColumn<FlipFree::LabelMeasures>& column : FlipFree::LabelColumns())
+  {
+    if (column.IsCount)
+    {
+      FlipFree::AddColumnOf<vtkIdTypeArray>(table, column, rows); // a label may have many voxels
+    }
+    else
+    {
+      FlipFree::AddColumnOf<vtkDoubleArray>(table, column, rows);
+    }
+    if (table->GetNumberOfColumns() == 1)
+    {
+      table->AddColumn(texts);
+    }
+  }
 }
 
 } // namespace

@@ -19,7 +19,7 @@
  * and background that labels enclose. What goes takes the label with which it has the most faces of
  * voxels in common, or background, if that is it: so there is still one wall between two labels,
  * and all else is as if the label map had come like that. Its voxels count as wrong ones. So do
- * those that FillTunnels gives to a label, to close narrow tunnels through it.
+ * those that FillTunnels gives to a label, before that, to close narrow tunnels through it.
  *
  * Where labels touch only by an edge or a corner of voxels, they are joined if most of the eight
  * voxels there are theirs, and apart if not.
@@ -139,7 +139,7 @@ public:
   /**
    * Close tunnels through the parts of labels if no ball of this diameter passes, by a sheet of
    * voxels where they are narrow. A tunnel through which another label runs stays open.
-   * Millimeters, exact to a voxel; default 0, which leaves all open, 0 to 10^6.
+   * Millimeters, to a voxel along each axis; default 0, which leaves all open, 0 to 10^6.
    */
   void SetFillTunnels(double value);
   double GetFillTunnels() const;

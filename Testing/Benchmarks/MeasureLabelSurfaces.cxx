@@ -8,11 +8,10 @@
 //
 // A row per label map and way:
 //
-//   invalid    labels whose STL file, read back, is not closed, has an edge on other than two
-//              triangles, or has triangles that intersect, as CGAL finds them
-//   differing  voxels that are other ones once the surfaces are voxelized, those that are not
-//   closed by
-//              vtkPolyDataToImageStencil
+//   invalid    labels without a surface, or whose STL file, read back, is not closed, has an edge
+//              on other than two triangles, or has triangles that intersect, as CGAL finds them
+//   differing  voxels that are other ones once the surfaces are voxelized; those that are not
+//              closed, by vtkPolyDataToImageStencil
 //   rough      angle between the normals of neighboring triangles, degrees: root of the mean
 //              square, and median, over all labels
 //   volume     greatest deviation of labels of more than 1,000 voxels, percent
@@ -53,6 +52,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 
@@ -253,11 +253,12 @@ struct Way
 {
   std::string Name;
   std::function<Surfaces()> Make;
-  double Seconds = 0; // if it was timed elsewhere
+  double Seconds = 0;     // if it was timed elsewhere
+  bool LeavesOut = false; // labels without a large part
 };
 
-// How many surfaces of a folder TetGen and gmsh do not fill.
-std::string UnfilledIn(const fs::path& folder, const std::string& python)
+// How many surfaces TetGen and gmsh do not fill: some of a folder, and those that are missing.
+std::string UnfilledIn(const fs::path& folder, int missing, const std::string& python)
 {
   const std::string command =
     python + " \"" FLIPFREE_FILL_SURFACES "\" \"" + folder.string() + "\"";
@@ -267,7 +268,7 @@ std::string UnfilledIn(const fs::path& folder, const std::string& python)
   {
     throw std::runtime_error("failed: " + command);
   }
-  return std::to_string(counts[0]) + ", " + std::to_string(counts[1]);
+  return std::to_string(counts[0] + missing) + ", " + std::to_string(counts[1] + missing);
 }
 
 // What a Python with other software makes of a label map.
@@ -299,6 +300,8 @@ std::vector<Way> PeersOf(const std::string& python, const std::string& file, con
     std::ifstream(way.path() / "seconds") >> seconds;
     ways.push_back({ way.path().filename(), read, seconds });
   }
+  std::sort(ways.begin(), ways.end(),
+    [](const Way& one, const Way& other) { return one.Name < other.Name; });
   return ways;
 }
 
@@ -330,8 +333,8 @@ void Measure(const std::string& file, const std::string& folder, const std::stri
   { return [&, exact, mode] { return ByFlipFree(labels, exact, mode, collapse); }; };
   std::vector<Way> ways{ { "exact", ours(true, Mode::Fine) },
     { "exact, coarse", ours(true, Mode::Coarse) },
-    { "exact, large parts", ours(true, Mode::LargeParts) }, { "smooth", ours(false, Mode::Fine) },
-    { "smooth, coarse", ours(false, Mode::Coarse) },
+    { "exact, large parts", ours(true, Mode::LargeParts), 0, true },
+    { "smooth", ours(false, Mode::Fine) }, { "smooth, coarse", ours(false, Mode::Coarse) },
     { "usual chain", [&] { return ByUsualChain(labels, voxels); } } };
   if (!peers.empty())
   {
@@ -373,6 +376,13 @@ void Measure(const std::string& file, const std::string& folder, const std::stri
           std::max(deviation, std::abs(volume / static_cast<double>(voxels[label]) - 1) * 100);
       }
     }
+    int missing = 0;
+    if (!way.LeavesOut)
+    {
+      const auto written = std::distance(fs::directory_iterator(files), fs::directory_iterator());
+      missing = static_cast<int>(voxels.size()) - static_cast<int>(written);
+      invalid += static_cast<int>(voxels.size()) - static_cast<int>(surfaces.size());
+    }
     const std::vector<int> found = Voxelize(surfaces, labels);
     std::size_t differing = 0;
     for (std::size_t voxel = 0; voxel < found.size(); ++voxel)
@@ -391,7 +401,7 @@ void Measure(const std::string& file, const std::string& folder, const std::stri
       name.c_str(), way.Name.c_str(), voxels.size(), triangles, invalid, differing,
       std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, angles.size()))),
       angles.empty() ? 0.0 : angles[angles.size() / 2], deviation, collapse, seconds,
-      memory / (1 << 20), fill ? UnfilledIn(files, peers).c_str() : "-");
+      memory / (1 << 20), fill ? UnfilledIn(files, missing, peers).c_str() : "-");
     std::fflush(stdout);
   }
 }

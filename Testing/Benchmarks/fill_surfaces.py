@@ -6,9 +6,11 @@
 prints two numbers, of the STL files in the folder. Each file is filled by a process of its own,
 which may crash or hang.
 """
+import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 SECONDS = 120
 
@@ -38,9 +40,9 @@ MESHERS = {"tetgen": by_tetgen, "gmsh": by_gmsh}
 
 def is_filled(mesher, name):
     try:
-        done = subprocess.run(
-            [sys.executable, __file__, mesher, name], timeout=SECONDS, capture_output=True, check=False
-        )
+        with tempfile.TemporaryDirectory() as scratch:  # where TetGen leaves what it refuses
+            command = [sys.executable, os.path.abspath(__file__), mesher, name]
+            done = subprocess.run(command, cwd=scratch, timeout=SECONDS, capture_output=True, check=False)
     except subprocess.TimeoutExpired:
         return False
     return done.returncode == 0
@@ -49,7 +51,7 @@ def is_filled(mesher, name):
 def main():
     if sys.argv[1] in MESHERS:
         sys.exit(0 if MESHERS[sys.argv[1]](sys.argv[2]) > 0 else 1)
-    files = sorted(map(str, pathlib.Path(sys.argv[1]).glob("*.stl")))
+    files = sorted(map(str, pathlib.Path(sys.argv[1]).resolve().glob("*.stl")))
     print(*(sum(not is_filled(mesher, name) for name in files) for mesher in MESHERS))
 
 

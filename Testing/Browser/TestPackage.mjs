@@ -330,6 +330,7 @@ test("bad input of labelSurfaces is named, one by one", async () => {
     [{}, { only: [1, 99] }, /^The label map has no voxel with label 99; change only; those of them that it has are 1$/],
     [{}, { only: 3 }, /^only: give a list of labels/],
     [{}, { only: [0.5] }, /^only: give a list of labels/],
+    [{}, { only: [2 ** 32 + 6] }, /^only: give a list of labels/],
     [{}, { parameters: { distance: 0.2 } }, /^The value of distance is 0\.2; choose 0\.5 to 1$/],
     [{}, { parameters: { iterations: 1.5 } }, /^The value of iterations is 1\.5; choose a whole number, 0 to 10000$/],
     [{}, { parameters: { edgeLength: -1 } }, /^The value of edgeLength is -1; choose 0 to 1e\+06$/],
@@ -342,6 +343,13 @@ test("bad input of labelSurfaces is named, one by one", async () => {
     await assert.rejects(flipfree.labelSurfaces({ ...labelMap, ...change }, options), (error) => {
       assert.ok(error instanceof FlipFreeError, `${error}`);
       assert.match(error.message, message);
+      return true;
+    });
+  }
+  for (const rows of [{}, [{}], [{ label: 1, name: "", file: "" }]]) {
+    await assert.rejects(flipfree.labelTableFile(rows), (error) => {
+      assert.ok(error instanceof FlipFreeError, `${error}`);
+      assert.match(error.message, /^Rows need a name, a file and the numbers label, volume, voxels, voxelVolume,/);
       return true;
     });
   }

@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "ExampleLabelMaps.h"
 
+#include <algorithm>
 #include <deque>
 #include <random>
 
@@ -182,7 +183,7 @@ TEST(LabelTunnels, PitsCavitiesAndGapsAreNone)
   EXPECT_TRUE(Changes(gap, Closed(gap, 100)).empty());
 }
 
-TEST(LabelTunnels, OtherLabelsKeepTheirWayAndOtherParts)
+TEST(LabelTunnels, WithAnotherLabelInTheirSheetStayOpen)
 {
   LabelMap map = BlockWithTunnel([](int) { return 1; });
   for (int k = 0; k < 11; ++k)
@@ -190,10 +191,104 @@ TEST(LabelTunnels, OtherLabelsKeepTheirWayAndOtherParts)
     map.At(7, 7, k) = 2;
   }
   EXPECT_TRUE(Changes(map, Closed(map, 100)).empty());
+}
 
-  LabelMap parts = BlockWithTunnel([](int) { return 1; });
-  parts.At(7, 7, 5) = 2; // in the tunnel, and not in its sheet's way
-  EXPECT_EQ(Changes(parts, Closed(parts, 100)).size(), 9);
+// A ring of another label in the tunnel, with a tunnel of its own.
+TEST(LabelTunnels, OfSeveralLabelsAreClosedByTheirOwn)
+{
+  LabelMap map = BlockWithTunnel([](int k) { return k < 5 ? 2 : 0; });
+  for (int j = 6; j < 9; ++j)
+  {
+    for (int i = 6; i < 9; ++i)
+    {
+      map.At(i, j, 2) = i == 7 && j == 7 ? 0 : 2;
+    }
+  }
+  const LabelGrid closed = Closed(map, 1.5);
+  const auto changes = Changes(map, closed);
+  ASSERT_EQ(changes.size(), 2);
+  for (const std::array<int, 3>& voxel : changes)
+  {
+    EXPECT_EQ(voxel[0], 7);
+    EXPECT_EQ(voxel[1], 7);
+    EXPECT_EQ(closed.At(7 - closed.First[0], 7 - closed.First[1], voxel[2] - closed.First[2]),
+      voxel[2] == 2 ? 2 : 1);
+  }
+}
+
+TEST(LabelTunnels, StayOpenWhereTheirSheetWouldJoinTwoPartsOfALabel)
+{
+  LabelMap map = BlockWithTunnel([](int k) { return k == 9 ? 0 : 3; });
+  EXPECT_EQ(Changes(map, Closed(map, 1.5)).size(), 1);
+  map.At(7, 7, 7) = 1;
+  EXPECT_EQ(Changes(map, Closed(map, 1.5)).size(), 1);
+  map.At(7, 7, 8) = 1;
+  EXPECT_TRUE(Changes(map, Closed(map, 1.5)).empty());
+}
+
+TEST(LabelTunnels, TheNarrowestHasSixVoxelsAround)
+{
+  LabelMap map(4, 4, 4);
+  for (int code = 1; code < 7; ++code)
+  {
+    map.At(1 + (code & 1), 1 + (code >> 1 & 1), 1 + (code >> 2)) = 1;
+  }
+  EXPECT_EQ(Changes(map, Closed(map, 100)).size(), 1);
+}
+
+// Five of eight voxels join the last one with the others for the surfaces (LabelCells.h).
+TEST(LabelTunnels, OfWhatIsJoinedByEdgesAloneAreNone)
+{
+  LabelMap map(6, 6, 6);
+  for (int k = 1; k < 5; ++k)
+  {
+    for (int j = 1; j < 5; ++j)
+    {
+      for (int i = 1; i < 5; ++i)
+      {
+        map.At(i, j, k) = 1;
+      }
+    }
+  }
+  map.At(3, 4, 4) = map.At(4, 3, 4) = map.At(4, 4, 3) = 0;
+  EXPECT_TRUE(Changes(map, Closed(map, 100)).empty());
+}
+
+TEST(LabelTunnels, AtTheBorderOfTheImageAreClosed)
+{
+  const LabelMap map = BlockWithTunnel([](int) { return 1; });
+  LabelMap cropped(13, 13, 9);
+  for (int k = 0; k < 9; ++k)
+  {
+    for (int j = 0; j < 13; ++j)
+    {
+      for (int i = 0; i < 13; ++i)
+      {
+        cropped.At(i, j, k) = LabelMap(map).At(i + 1, j + 1, k + 1);
+      }
+    }
+  }
+  EXPECT_EQ(Changes(cropped, Closed(cropped, 3.5)).size(), 9);
+}
+
+// Label 2 covers one mouth of the tunnel.
+TEST(LabelTunnels, AreClosedBeforeCavitiesAreFilled)
+{
+  LabelMap map = BlockWithTunnel([](int k) { return k == 9 ? 0 : 2; });
+  for (int j = 1; j < 14; ++j)
+  {
+    for (int i = 1; i < 14; ++i)
+    {
+      map.At(i, j, 0) = 2;
+    }
+  }
+  LabelSurfaceSettings settings = ExactSettings(0);
+  settings.FillTunnels = 1.5;
+  settings.FillCavities = true;
+  for (const LabelMeasures& measures : SurfacesOf(map, settings).Measures)
+  {
+    EXPECT_EQ(measures.EulerNumber, 2) << measures.Label;
+  }
 }
 
 TEST(LabelTunnels, WithoutALimitEachPartIsLeftWithItsCavitiesAlone)
@@ -242,11 +337,39 @@ TEST(LabelTunnels, WithoutALimitEachPartIsLeftWithItsCavitiesAlone)
   EXPECT_GT(tunnels, 500);
 }
 
-TEST(LabelTunnels, TheMonitorStopsIt)
+TEST(LabelTunnels, TellHowFarTheyAreAndStopAtAnyQuestion)
 {
-  LabelGrid grid = GridOf(BlockWithTunnel([](int) { return 1; }));
-  EXPECT_FALSE(
-    CloseTunnels(grid, Eigen::Vector3d::Ones(), 3.5, SerialFor, [](double) { return false; }));
+  LabelMap map(40, 40, 40);
+  std::fill(map.Voxels.begin(), map.Voxels.end(), 1);
+  for (int k = 0; k < 40; ++k)
+  {
+    for (int j = 10; j < 30; ++j)
+    {
+      std::fill_n(&map.At(10, j, k), 20, 0);
+    }
+  }
+  const LabelGrid start = GridOf(map);
+  const auto close = [&](const Monitor& monitor)
+  {
+    LabelGrid grid = start;
+    return CloseTunnels(grid, Eigen::Vector3d::Ones(), 3.5, SerialFor, monitor);
+  };
+  std::vector<double> told;
+  EXPECT_TRUE(close(
+    [&](double fraction)
+    {
+      told.push_back(fraction);
+      return true;
+    }));
+  ASSERT_GT(told.size(), 4);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0);
+  EXPECT_LE(told.back(), 1);
+  for (std::size_t refused = 0; refused < told.size(); ++refused)
+  {
+    std::size_t questions = 0;
+    EXPECT_FALSE(close([&](double) { return questions++ != refused; })) << refused;
+  }
 }
 
 TEST(LabelTunnels, SurfacesHaveNoneThatAreNarrower)

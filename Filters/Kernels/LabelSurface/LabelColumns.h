@@ -1,6 +1,6 @@
 /**
- * The columns of the table of a label map's surfaces, for all front ends. They add the labels' names
- * after the first column, Name, and where there are files, those at the end, File.
+ * The numbers in the table of a label map's surfaces, by their columns. Front ends add the labels'
+ * names after the first one, as Name, and those of files at the end, as File.
  */
 #ifndef FlipFreeLabelColumns_h
 #define FlipFreeLabelColumns_h

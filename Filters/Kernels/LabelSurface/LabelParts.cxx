@@ -271,6 +271,16 @@ private:
 } // namespace
 
 LabelParts::LabelParts(const LabelGrid& grid, const LabelCells& cells)
+  : LabelParts(grid, &cells)
+{
+}
+
+LabelParts::LabelParts(const LabelGrid& grid)
+  : LabelParts(grid, nullptr)
+{
+}
+
+LabelParts::LabelParts(const LabelGrid& grid, const LabelCells* cells)
   : Size(grid.Size)
 {
   std::vector<int> labels; // of the runs
@@ -304,7 +314,10 @@ LabelParts::LabelParts(const LabelGrid& grid, const LabelCells& cells)
           }
         });
     });
-  CellJoints(grid, cells, *this, sets).Unite();
+  if (cells)
+  {
+    CellJoints(grid, *cells, *this, sets).Unite();
+  }
   for (std::size_t row = 0; row + 1 < this->RowBegin.size(); ++row)
   {
     for (std::size_t run = this->RowBegin[row]; run < this->RowBegin[row + 1]; ++run)

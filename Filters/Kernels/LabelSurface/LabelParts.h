@@ -31,6 +31,8 @@ struct LabelPartSettings
 struct LabelParts
 {
   LabelParts(const LabelGrid& grid, const LabelCells& cells);
+  /// Those that are connected across faces of voxels alone.
+  explicit LabelParts(const LabelGrid& grid);
 
   struct Part
   {
@@ -60,6 +62,9 @@ struct LabelParts
   std::vector<Run> Runs;
   std::vector<std::size_t> RowBegin; ///< rows are numbered j + Size[1] * k; the last is the end
   std::array<int, 3> Size{ { 0, 0, 0 } };
+
+private:
+  LabelParts(const LabelGrid& grid, const LabelCells* cells);
 };
 
 /// The grid without what goes, its labels by the same indices. No part is left that would go.

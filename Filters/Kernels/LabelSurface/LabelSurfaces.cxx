@@ -101,15 +101,19 @@ const LabelGrid* KeptOf(const LabelGrid& grid, const ImageGeometry& image,
   {
     return &grid;
   }
-  changed = KeepParts(grid, parts, parallelFor);
+  changed = grid;
+  if (!CloseTunnels(changed, image.Spacing, settings.FillTunnels, parallelFor, monitor))
+  {
+    return nullptr;
+  }
+  changed = KeepParts(std::move(changed), parts, parallelFor); // a closed tunnel may be a cavity
   if (std::all_of(changed.Labels.begin(), changed.Labels.end(),
         [](int label) { return label == 0; }))
   {
     throw Error(ErrorCode::EmptyMask,
       "no part of any label has " + TextOf(settings.SmallestPart) + " mm3; lower {SmallestPart}");
   }
-  return CloseTunnels(changed, image.Spacing, settings.FillTunnels, parallelFor, monitor) ? &changed
-                                                                                          : nullptr;
+  return &changed;
 }
 
 // The walls of a grid, relaxed within bounds.

@@ -5,7 +5,12 @@
 #include "LabelSurface/LabelParts.h"
 #include "LabelSurface/SimpleVoxel.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <queue>
+#include <vector>
 
 namespace FlipFree
 {
@@ -19,18 +24,22 @@ std::array<int, 3> StepOf(int bit)
   return { { bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1 } };
 }
 
-bool IsAcrossFace(int bit)
-{
-  const std::array<int, 3> step = StepOf(bit);
-  return std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]) == 1;
-}
-
 // The first and the last voxel of a part along each axis.
 struct Bounds
 {
   std::array<int, 3> Low{ { std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
     std::numeric_limits<int>::max() } };
   std::array<int, 3> High{ { 0, 0, 0 } };
+
+  double Volume() const
+  {
+    double volume = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      volume *= this->High[axis] - this->Low[axis] + 3;
+    }
+    return volume;
+  }
 };
 
 std::vector<Bounds> BoundsOf(const LabelParts& parts)
@@ -52,11 +61,47 @@ std::vector<Bounds> BoundsOf(const LabelParts& parts)
   return bounds;
 }
 
-// The box around a part, with a layer all around that stays empty.
+// Asks a monitor now and then, and tells it how much is done of what there is to do.
+class Work
+{
+public:
+  Work(const Monitor& monitor, double all)
+    : Ask(monitor)
+    , All(all)
+  {
+  }
+
+  // False once the monitor has stopped it.
+  bool Do(double part)
+  {
+    constexpr double BetweenQuestions = 1 << 14;
+    this->Done += part;
+    if (this->Done >= this->Asked + BetweenQuestions)
+    {
+      this->Asked = this->Done;
+      this->Goes = this->Goes && this->Ask(std::min(1.0, this->Done / this->All));
+    }
+    return this->Goes;
+  }
+
+private:
+  const Monitor& Ask;
+  const double All;
+  double Done = 0;
+  double Asked = 0;
+  bool Goes = true;
+};
+
+using Places = std::vector<std::array<int, 3>>; // of voxels in the grid
+
+// The box around a part, with a layer all around that stays empty. What returns false was stopped.
 class PartBox
 {
 public:
-  PartBox(const LabelParts& parts, int part, const Bounds& bounds, const Eigen::Vector3d& spacing)
+  // How many steps the work on a box of so many voxels has at most, as a guess.
+  static constexpr double StepsPerVoxel = 3;
+
+  PartBox(const Bounds& bounds, const Eigen::Vector3d& spacing)
     : Low{ { bounds.Low[0] - 1, bounds.Low[1] - 1, bounds.Low[2] - 1 } }
   {
     this->Geometry.Spacing = spacing;
@@ -64,7 +109,6 @@ public:
     {
       this->Geometry.Dimensions[axis] = bounds.High[axis] - bounds.Low[axis] + 3;
     }
-    this->Voxels.assign(this->Geometry.NumberOfVoxels(), Beyond);
     for (int bit = 0; bit < Neighbors; ++bit)
     {
       const std::array<int, 3> step = StepOf(bit);
@@ -72,40 +116,51 @@ public:
         static_cast<std::ptrdiff_t>(this->Geometry.Dimensions[0]) *
           (step[1] + static_cast<std::ptrdiff_t>(this->Geometry.Dimensions[1]) * step[2]);
     }
-    this->ForEachInside(
-      [this](std::size_t voxel, bool /*isOnBorder*/) { this->Voxels[voxel] = Filled; });
-    for (int k = bounds.Low[2]; k <= bounds.High[2]; ++k)
+  }
+
+  bool Fill(const LabelParts& parts, int part, Work& work)
+  {
+    this->Voxels.assign(this->Geometry.NumberOfVoxels(), 0);
+    const std::array<int, 3>& size = this->Geometry.Dimensions;
+    for (int k = 1; k + 1 < size[2]; ++k)
     {
-      for (int j = bounds.Low[1]; j <= bounds.High[1]; ++j)
+      for (int j = 1; j + 1 < size[1]; ++j)
       {
-        const std::size_t row = j + static_cast<std::size_t>(parts.Size[1]) * k;
+        std::fill_n(this->RowAt(j, k) + 1, size[0] - 2, Filled);
+        const std::size_t row = this->Low[1] + j +
+          static_cast<std::size_t>(parts.Size[1]) * static_cast<std::size_t>(this->Low[2] + k);
         for (std::size_t run = parts.RowBegin[row]; run < parts.RowBegin[row + 1]; ++run)
         {
           if (parts.Runs[run].Part == part)
           {
             const int begin = parts.Runs[run].Begin;
-            const auto first = this->Voxels.begin() +
-              static_cast<std::ptrdiff_t>(
-                this->Geometry.Offset(begin - this->Low[0], j - this->Low[1], k - this->Low[2]));
-            std::fill_n(first, parts.EndOf(run, row) - begin, Filled | OfPart);
+            std::fill_n(this->RowAt(j, k) + begin - this->Low[0], parts.EndOf(run, row) - begin,
+              Filled | OfPart);
           }
+        }
+        if (!work.Do(size[0]))
+        {
+          return false;
         }
       }
     }
+    return true;
   }
 
-  // False if the monitor stopped it.
-  bool Peel(const ParallelFor& parallelFor, const Monitor& monitor)
+  bool Peel(const ParallelFor& parallelFor, Work& work)
   {
-    std::vector<unsigned char> part(this->Voxels.size());
-    std::transform(this->Voxels.begin(), this->Voxels.end(), part.begin(),
-      [](unsigned char voxel) { return (voxel & OfPart) != 0 ? 1 : 0; });
-    this->Distances = SquaredDistance(part, this->Geometry, 1, parallelFor, monitor);
+    {
+      std::vector<unsigned char> part(this->Voxels.size());
+      std::transform(this->Voxels.begin(), this->Voxels.end(), part.begin(),
+        [](unsigned char voxel) { return static_cast<unsigned char>(voxel & OfPart); });
+      this->Distances = SquaredDistance(part, this->Geometry, OfPart, parallelFor,
+        [&work](double) { return work.Do(0); });
+    }
     if (this->Distances.empty())
     {
       return false;
     }
-    this->ForEachInside(
+    const bool proceeds = this->ForEachInside(work,
       [this](std::size_t voxel, bool isOnBorder)
       {
         if (isOnBorder)
@@ -113,11 +168,9 @@ public:
           this->LetWait(voxel);
         }
       });
-    std::size_t steps = 0;
-    while (!this->Front.empty())
+    while (proceeds && !this->Front.empty())
     {
-      constexpr std::size_t StepsBetweenQuestions = 1 << 14;
-      if (++steps % StepsBetweenQuestions == 0 && !monitor(0.5))
+      if (!work.Do(1))
       {
         return false;
       }
@@ -133,48 +186,59 @@ public:
         }
       }
     }
-    return true;
+    return proceeds;
   }
 
-  // After Peel(): calls visit(places, squaredDistance) for each sheet across a tunnel, with its
-  // voxels in the grid and the greatest distance from the part.
+  // After Peel(): calls visit(places, squaredDistance) for each sheet across a tunnel, with the
+  // greatest distance of a voxel from the part.
   template <typename Visit>
-  void VisitSheets(const Visit& visit)
+  bool VisitSheets(Work& work, const Visit& visit)
   {
-    this->ForEachInside(
-      [this](std::size_t voxel, bool isOnBorder)
-      {
-        if (isOnBorder)
-        {
-          this->Flood(voxel, false,
-            [this](std::size_t it)
-            { return this->Mark(it, OfPart | Beyond | Outside, 0, Outside); });
-        }
-      });
-    std::vector<std::array<int, 3>> places;
-    this->ForEachInside(
+    Places places;
+    return this->ForEachInside(work,
       [&](std::size_t voxel, bool /*isOnBorder*/)
       {
-        float farthest = 0;
+        if (!this->Mark(voxel, Filled | OfPart | Seen, Filled, Seen))
+        {
+          return;
+        }
         places.clear();
-        this->Flood(voxel, true,
-          [&](std::size_t it)
+        float farthest = 0;
+        bool isBesideEmpty = false; // which no voxel of a cavity is
+        std::vector<std::size_t> front{ voxel };
+        while (!front.empty())
+        {
+          const std::size_t it = front.back();
+          front.pop_back();
+          places.push_back(this->PlaceOf(it));
+          farthest = std::max(farthest, this->Distances[it]);
+          for (int bit = 0; bit < Neighbors; ++bit)
           {
-            if (!this->Mark(it, Filled | Outside | Seen, Filled | Outside, Seen))
+            const std::size_t next = it + this->Steps[bit];
+            isBesideEmpty = isBesideEmpty || (this->Voxels[next] & Filled) == 0;
+            if (this->Mark(next, Filled | OfPart | Seen, Filled, Seen))
             {
-              return false;
+              front.push_back(next);
             }
-            farthest = std::max(farthest, this->Distances[it]);
-            const std::array<int, 3> place = IndexOf(it, this->Geometry);
-            places.push_back(
-              { { place[0] + this->Low[0], place[1] + this->Low[1], place[2] + this->Low[2] } });
-            return true;
-          });
-        if (!places.empty())
+          }
+        }
+        if (isBesideEmpty)
         {
           visit(places, farthest);
         }
       });
+  }
+
+  // Of a voxel of the grid.
+  bool IsOfPart(const std::array<int, 3>& place) const
+  {
+    std::array<int, 3> index;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = place[axis] - this->Low[axis];
+    }
+    return this->Geometry.Contains(index[0], index[1], index[2]) &&
+      (this->Voxels[this->Geometry.Offset(index[0], index[1], index[2])] & OfPart) != 0;
   }
 
 private:
@@ -182,9 +246,7 @@ private:
   static constexpr unsigned char OfPart = 1;
   static constexpr unsigned char Filled = 2; // not taken away
   static constexpr unsigned char Waits = 4;
-  static constexpr unsigned char Beyond = 8;   // the box
-  static constexpr unsigned char Outside = 16; // of the part, and not in a cavity
-  static constexpr unsigned char Seen = 32;    // as one of a sheet
+  static constexpr unsigned char Seen = 8; // as one of a sheet
 
   struct Candidate
   {
@@ -199,23 +261,41 @@ private:
     }
   };
 
+  unsigned char* RowAt(int j, int k) { return &this->Voxels[this->Geometry.Offset(0, j, k)]; }
+
+  std::array<int, 3> PlaceOf(std::size_t voxel) const
+  {
+    std::array<int, 3> place = IndexOf(voxel, this->Geometry);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[axis] += this->Low[axis];
+    }
+    return place;
+  }
+
   // Calls visit(voxel, isOnBorder), the border being that of the box.
   template <typename Visit>
-  void ForEachInside(const Visit& visit) const
+  bool ForEachInside(Work& work, const Visit& visit)
   {
-    const auto isFirstOrLast = [this](int place, int axis)
-    { return place == 1 || place + 2 == this->Geometry.Dimensions[axis]; };
-    for (int k = 1; k + 1 < this->Geometry.Dimensions[2]; ++k)
+    const std::array<int, 3>& size = this->Geometry.Dimensions;
+    const auto isFirstOrLast = [&size](int place, int axis)
+    { return place == 1 || place + 2 == size[axis]; };
+    for (int k = 1; k + 1 < size[2]; ++k)
     {
-      for (int j = 1; j + 1 < this->Geometry.Dimensions[1]; ++j)
+      for (int j = 1; j + 1 < size[1]; ++j)
       {
-        for (int i = 1; i + 1 < this->Geometry.Dimensions[0]; ++i)
+        for (int i = 1; i + 1 < size[0]; ++i)
         {
           visit(this->Geometry.Offset(i, j, k),
             isFirstOrLast(i, 0) || isFirstOrLast(j, 1) || isFirstOrLast(k, 2));
         }
+        if (!work.Do(size[0]))
+        {
+          return false;
+        }
       }
     }
+    return true;
   }
 
   unsigned int NeighborsOf(std::size_t voxel) const
@@ -247,29 +327,6 @@ private:
     }
   }
 
-  // From a voxel to all that are connected, as long as take(voxel) is true: once for each.
-  template <typename Take>
-  void Flood(std::size_t start, bool acrossFaces, const Take& take)
-  {
-    if (!take(start))
-    {
-      return;
-    }
-    std::vector<std::size_t> front{ start };
-    while (!front.empty())
-    {
-      const std::size_t voxel = front.back();
-      front.pop_back();
-      for (int bit = 0; bit < Neighbors; ++bit)
-      {
-        if ((!acrossFaces || IsAcrossFace(bit)) && take(voxel + this->Steps[bit]))
-        {
-          front.push_back(voxel + this->Steps[bit]);
-        }
-      }
-    }
-  }
-
   std::array<int, 3> Low;
   ImageGeometry Geometry;
   std::vector<unsigned char> Voxels;
@@ -277,6 +334,26 @@ private:
   std::array<std::ptrdiff_t, Neighbors> Steps{};
   std::priority_queue<Candidate> Front;
 };
+
+// Whether a sheet of background would join its part with another one of the label.
+bool TouchesOtherPart(const Places& sheet, const PartBox& box, const LabelGrid& grid, int label)
+{
+  return std::any_of(sheet.begin(), sheet.end(),
+    [&](const std::array<int, 3>& place)
+    {
+      for (int bit = 0; bit < Neighbors; ++bit)
+      {
+        const std::array<int, 3> step = StepOf(bit);
+        const std::array<int, 3> next{ { place[0] + step[0], place[1] + step[1],
+          place[2] + step[2] } };
+        if (grid.At(next[0], next[1], next[2]) == label && !box.IsOfPart(next))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
 
 } // namespace
 
@@ -287,42 +364,49 @@ bool CloseTunnels(LabelGrid& grid, const Eigen::Vector3d& spacing, double width,
   {
     return true;
   }
-  constexpr std::size_t LeastAround = 8; // voxels around the narrowest tunnel
-  const LabelParts parts(grid, LabelCells(grid, parallelFor));
+  constexpr std::size_t LeastAround = 6; // voxels around the narrowest tunnel
+  const LabelParts parts(grid);
   const std::vector<Bounds> bounds = BoundsOf(parts);
-  for (std::size_t part = 1; part < parts.Parts.size(); ++part) // the first is the outside
+  const auto mayHaveTunnels = [&parts](std::size_t part)
+  { return parts.Parts[part].Label != 0 && parts.Parts[part].Voxels >= LeastAround; };
+  double voxels = 1;
+  for (std::size_t part = 0; part < bounds.size(); ++part)
   {
-    const Monitor partMonitor =
-      PartOf(monitor, static_cast<double>(part) / static_cast<double>(parts.Parts.size()),
-        static_cast<double>(part + 1) / static_cast<double>(parts.Parts.size()));
-    const int label = parts.Parts[part].Label;
-    if (label == 0 || parts.Parts[part].Voxels < LeastAround)
+    voxels += mayHaveTunnels(part) ? bounds[part].Volume() : 0;
+  }
+  Work work(monitor, PartBox::StepsPerVoxel * voxels);
+  for (std::size_t part = 0; part < bounds.size(); ++part)
+  {
+    if (!mayHaveTunnels(part))
     {
       continue;
     }
-    PartBox box(parts, static_cast<int>(part), bounds[part], spacing);
-    if (!box.Peel(parallelFor, partMonitor))
+    const int label = parts.Parts[part].Label;
+    Places found;
+    PartBox box(bounds[part], spacing);
+    const auto take = [&](const Places& sheet, float squaredDistance)
+    {
+      // From the middle of a voxel to that of the nearest one of the part.
+      const bool isNarrow = 2 * std::sqrt(squaredDistance) - spacing.minCoeff() < width;
+      const auto isFree = [&grid](const std::array<int, 3>& place)
+      { return grid.At(place[0], place[1], place[2]) == 0; };
+      if (isNarrow && std::all_of(sheet.begin(), sheet.end(), isFree) &&
+        !TouchesOtherPart(sheet, box, grid, label))
+      {
+        found.insert(found.end(), sheet.begin(), sheet.end());
+      }
+    };
+    if (!box.Fill(parts, static_cast<int>(part), work) || !box.Peel(parallelFor, work) ||
+      !box.VisitSheets(work, take))
     {
       return false;
     }
-    box.VisitSheets(
-      [&](const std::vector<std::array<int, 3>>& places, float squaredDistance)
-      {
-        // From the middle of a voxel to that of the nearest one of the part.
-        const bool isNarrow = 2 * std::sqrt(squaredDistance) - spacing.minCoeff() < width;
-        const auto isFree = [&grid](const std::array<int, 3>& place)
-        { return grid.Labels[grid.Offset(place[0], place[1], place[2])] == 0; };
-        if (isNarrow && std::all_of(places.begin(), places.end(), isFree))
-        {
-          for (const std::array<int, 3>& place : places)
-          {
-            grid.Labels[grid.Offset(place[0], place[1], place[2])] =
-              static_cast<LabelGrid::Index>(label);
-          }
-        }
-      });
+    for (const std::array<int, 3>& place : found)
+    {
+      grid.Labels[grid.Offset(place[0], place[1], place[2])] = static_cast<LabelGrid::Index>(label);
+    }
   }
-  return true;
+  return work.Do(0);
 }
 
 } // namespace FlipFree

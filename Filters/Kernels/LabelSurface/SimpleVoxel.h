@@ -18,7 +18,7 @@ constexpr unsigned int CenterVoxel = 1U << 13;
 /// and corners, too.
 bool IsSimpleAcrossFaces(unsigned int neighbors);
 
-/// Whichever of the two are connected across edges and corners.
+/// For both: whether the set or the others are connected across edges and corners.
 bool IsSimpleVoxel(unsigned int neighbors);
 
 } // namespace FlipFree

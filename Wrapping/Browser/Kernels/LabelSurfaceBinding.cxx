@@ -11,6 +11,7 @@
 #include <emscripten/bind.h>
 
 #include <map>
+#include <stdexcept>
 
 namespace FlipFree
 {
@@ -46,8 +47,18 @@ val MeasuresOf(const LabelMeasures& measures)
   return object;
 }
 
-// Of rows { ...measures, name, file }.
-std::string TableOf(const val& rows)
+val FieldNames()
+{
+  val names = val::array();
+  for (const TableColumn<LabelMeasures>& column : LabelColumns())
+  {
+    names.call<void>("push", std::string(Fields().at(column.Name)));
+  }
+  return names;
+}
+
+// { text }, of rows { ...measures, name, file }, which the package has checked.
+val TableOf(const val& rows)
 {
   std::vector<std::string> columns;
   for (const TableColumn<LabelMeasures>& column : LabelColumns())
@@ -69,16 +80,23 @@ std::string TableOf(const val& rows)
   }
   columns.insert(columns.begin() + 1, "Name");
   columns.push_back("File");
-  return TextOfTable(columns, cells);
+  val answer = val::object();
+  answer.set("text", TextOfTable(columns, cells));
+  return answer;
 }
 
 val AnswerOf(const LabelSurfaces& found)
 {
+  if (!found.Complete)
+  {
+    throw std::runtime_error("stopped");
+  }
   const TrianglesByLabel triangles(found.Walls, found.Values.size());
   val labels = val::array();
   for (std::size_t index = 0; index < found.Measures.size(); ++index)
   {
     val label = MeasuresOf(found.Measures[index]);
+    label.set("certified", true);
     label.set("surface", SurfaceOfLabel(triangles, static_cast<int>(index) + 1));
     labels.call<void>("push", label);
   }
@@ -121,6 +139,7 @@ void BindLabelSurfaces()
   emscripten::function("labelSurfaceParameters", &DefaultLabelSurfaceParameters);
   emscripten::function("labelSurfaces", &MakeSurfaces);
   emscripten::function("labelFileName", &LabelFileName);
+  emscripten::function("labelFields", &FieldNames);
   emscripten::function("labelTable", &TableOf);
 }
 

@@ -203,8 +203,8 @@ export class FlipFree {
   }
 
   /** A file of a label's surface, as the command writes and calls it: 6.stl, or 6-liver.stl where the label has a name. */
-  labelSurfaceFile({ label, surface }: LabelSurface, format: SurfaceFormat, name = ""): Promise<NamedFile> {
-    return this.ask("labelSurfaceFile", { written: { label, surface }, format, name });
+  labelSurfaceFile({ label, surface, certified }: LabelSurface, format: SurfaceFormat, name = ""): Promise<NamedFile> {
+    return this.ask("labelSurfaceFile", { written: { label, surface, certified }, format, name });
   }
 
   /** The table that the command writes beside these files: what the surfaces measure, and the files' names. */

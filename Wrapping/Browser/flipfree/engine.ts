@@ -6,7 +6,7 @@ import { type KernelDicom, listSeries, readSeries } from "./dicom.js";
 import { packed } from "./inflated.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
 import { type OriginNames, namedProvenance } from "./provenance.js";
-import type { LabelRow, SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
+import type { LabelField, LabelRow, SurfaceFormat, WrittenLabel, WrittenSurface } from "./surfacefiles.js";
 import {
   type Corrections,
   type DicomSeries,
@@ -78,12 +78,13 @@ interface KernelPhantom {
 export interface KernelModule extends KernelFiles, KernelDicom {
   niftiHeader(name: string, image: Image): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
   surfaceBytes(
-    result: WrittenSurface | { surface: Surface; certified: true; label: number },
+    result: WrittenSurface | { surface: Surface; certified: boolean; label: number },
     format: string,
     provenance: string,
   ): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
   labelFileName(label: number, name: string, ending: string): string;
-  labelTable(rows: readonly LabelRow[]): string;
+  labelFields(): LabelField[];
+  labelTable(rows: readonly LabelRow[]): Answer<{ text: string }>;
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
@@ -240,7 +241,8 @@ export class Engine {
   ): LabelSurfaces {
     const known = this.kernels.labelSurfaceParameters();
     const values = kernelValues(parameters, known);
-    if (!Array.isArray(only) || !only.every(Number.isInteger)) {
+    const isLabel = (value: unknown) => Number.isInteger(value) && Math.abs(value as number) < 2 ** 31;
+    if (!Array.isArray(only) || !only.every(isLabel)) {
       throw new FlipFreeError("only: give a list of labels, which are whole numbers");
     }
     return this.withVolume(labels, (volume) => this.checked(this.kernels.labelSurfaces(volume, only, values, report), known));
@@ -298,17 +300,24 @@ export class Engine {
   }
 
   /** A file of a label's surface, called as the command calls it: 6.stl, or 6-liver.stl. */
-  labelSurfaceFile({ label, surface }: WrittenLabel, format: SurfaceFormat, name = ""): NamedFile {
+  labelSurfaceFile({ label, surface, certified }: WrittenLabel, format: SurfaceFormat, name = ""): NamedFile {
     if (!surface) {
       throw new FlipFreeError(`Label ${label} has no surface`);
     }
-    const { bytes } = this.checked(this.kernels.surfaceBytes({ surface, certified: true, label }, format, ""));
+    const { bytes } = this.checked(this.kernels.surfaceBytes({ surface, certified, label }, format, ""));
     const data = new Blob([bytes], { type: mediaTypes[format] });
     return { name: this.kernels.labelFileName(label, name, format), data };
   }
 
   labelTableFile(rows: readonly LabelRow[]): NamedFile {
-    return { name: "surfaces.csv", data: new Blob([this.kernels.labelTable(rows)], { type: "text/csv" }) };
+    const numbers = this.kernels.labelFields();
+    const isRow = (row: LabelRow) =>
+      typeof row.name === "string" && typeof row.file === "string" && numbers.every((field) => Number.isFinite(row[field]));
+    if (!Array.isArray(rows) || !rows.every(isRow)) {
+      throw new FlipFreeError(`Rows need a name, a file and the numbers ${numbers.join(", ")}`);
+    }
+    const { text } = this.checked(this.kernels.labelTable(rows));
+    return { name: "surfaces.csv", data: new Blob([text], { type: "text/csv" }) };
   }
 
   phantom(shape: PhantomShape, parameters: Parameters = {}, report: Report = goOn): Phantom {

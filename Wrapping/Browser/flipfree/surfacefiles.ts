@@ -9,10 +9,13 @@ export type WrittenSurface = Pick<Segmentation, "surface" | "certified" | "prove
   Partial<Pick<Organ, "confidence" | "vertexConfidence">>;
 
 /** What a file takes of a label's surface. */
-export type WrittenLabel = Pick<LabelSurface, "label" | "surface">;
+export type WrittenLabel = Pick<LabelSurface, "label" | "surface" | "certified">;
+
+/** What is measured. */
+export type LabelField = Exclude<keyof LabelSurface, "surface" | "certified">;
 
 /** A row of the table of a label map's surfaces. */
-export type LabelRow = Omit<LabelSurface, "surface"> & {
+export type LabelRow = Pick<LabelSurface, LabelField> & {
   name: string;
   /** Empty where there is none. */
   file: string;

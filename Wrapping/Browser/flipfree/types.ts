@@ -234,7 +234,9 @@ export interface LabelSurface {
   /** 2 for each piece, less 2 for each tunnel through one. */
   eulerNumber: number;
   triangles: number;
-  /** Closed, and without self-intersections. Null where all parts of the label are smaller than `smallestPart`. */
+  /** That the surface is closed, and without self-intersections. */
+  certified: boolean;
+  /** Null where all parts of the label are smaller than `smallestPart`. */
   surface: Surface | null;
 }
 

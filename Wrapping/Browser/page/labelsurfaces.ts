@@ -51,6 +51,6 @@ export async function makeLabelSurfaces(): Promise<void> {
     const seconds = ((performance.now() - start) / 1000).toFixed(1);
     const wrong = `${found.wrongVoxels} wrong ${found.wrongVoxels === 1 ? "voxel" : "voxels"}`;
     const moved = edgeLength > 0 ? `; fewer triangles moved walls by up to ${found.collapseDistance.toFixed(2)} mm` : "";
-    say(`${found.labels.length} surfaces in ${seconds} s, ${wrong}${moved}.`);
+    say(`${found.labels.length} ${found.labels.length === 1 ? "surface" : "surfaces"} in ${seconds} s, ${wrong}${moved}.`);
   });
 }

@@ -66,8 +66,7 @@ export const saveLabelSurfaces = () =>
       await pause();
     }
     const rows = app.labelSurfaces.map((label) => {
-      const { surface, ...measures } = label.found;
-      return { ...measures, name: label.name, file: files.get(label) ?? "" };
+      return { ...label.found, surface: null, name: label.name, file: files.get(label) ?? "" };
     });
     const table = await flipfree.labelTableFile(rows);
     save(table.data, table.name);
