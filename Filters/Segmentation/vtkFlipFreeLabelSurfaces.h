@@ -42,8 +42,8 @@
  * left. Field data: `Label` (double) and `Certified` (1).
  * Output port 2: vtkTable, a row per label: Label, Name (empty where it has none), Milliliters
  * (inside), Voxels, VoxelMilliliters (of the voxels), WrongVoxels (whose center is inside but has
- * another label, or the reverse), Area (square millimeters), EulerNumber (2 for each piece, less 2
- * for each tunnel), Triangles.
+ * another label, or the reverse), Area (square millimeters), EulerNumber (2 for each piece
+ * and each cavity, less 2 for each tunnel), Triangles.
  *
  * Errors, with a code of FlipFreeErrorCode.h and with empty outputs: an image without voxels,
  * scalars of one component or a proper grid; a voxel that is negative or no whole number; no

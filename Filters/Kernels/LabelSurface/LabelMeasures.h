@@ -53,7 +53,7 @@ struct LabelMeasures
   double Volume = 0;           ///< cubic millimeters
   double VoxelVolume = 0;      ///< of the label map's voxels, cubic millimeters
   double Area = 0;             ///< square millimeters
-  int EulerNumber = 0;         ///< 2 for each piece, less 2 for each tunnel through one
+  int EulerNumber = 0;         ///< 2 for each piece and each cavity, less 2 for each tunnel
   int Triangles = 0;
 };
 

@@ -30,13 +30,12 @@
   P(FillCavities, bool, S FillCavities, false, true, "",                                           \
     "Background that labels enclose takes the label that most of its faces border")                \
   P(FillTunnels, double, S FillTunnels, 0, FlipFree::MaximumTunnel, "MM",                          \
-    "Close tunnels through labels that are narrower, in mm, where they are narrowest; 0: none")    \
+    "Close tunnels through labels that are narrower, in mm, to a voxel; 0: none")                  \
   P(EdgeLength, double, S EdgeLength, 0, FlipFree::MaximumWallEdge, "MM",                          \
-    "Collapse edges, for fewer triangles, while none becomes longer; 0: no limit, and with "       \
-    "{Triangles} of 0 no collapse")                                                                \
+    "Collapse edges, for fewer triangles, while none becomes longer; 0: not used")                 \
   P(Triangles, int, S Triangles, 0, std::numeric_limits<int>::max(), "N",                          \
-    "Collapse edges while there are more triangles than that, of all walls; 0: no limit, and "     \
-    "with {EdgeLength} of 0 no collapse")                                                          \
+    "Collapse edges while there are more triangles than that, of all walls, each counted once; "   \
+    "0: not used")                                                                                 \
   P(Tolerance, double, S Tolerance, 0, FlipFree::MaximumWallTolerance, "VOXELS",                   \
     "How far walls may move where edges are collapsed, in voxels of the smallest spacing; "        \
     "{Exact} surfaces keep each voxel center on its side as well")

@@ -4,6 +4,7 @@
 #include "Image/VoxelOffsets.h"
 #include "LabelSurface/LabelParts.h"
 #include "LabelSurface/SimpleVoxel.h"
+#include "LabelSurface/WallTriangles.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,16 @@ struct Bounds
     std::numeric_limits<int>::max() } };
   std::array<int, 3> High{ { 0, 0, 0 } };
 
+  // The voxels from one place to the last one of its row.
+  void Add(const std::array<int, 3>& first, int last)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], first[axis]);
+      this->High[axis] = std::max(this->High[axis], axis == 0 ? last : first[axis]);
+    }
+  }
+
   double Volume() const
   {
     double volume = 1;
@@ -51,11 +62,8 @@ std::vector<Bounds> BoundsOf(const LabelParts& parts)
     const int k = static_cast<int>(row / parts.Size[1]);
     for (std::size_t run = parts.RowBegin[row]; run < parts.RowBegin[row + 1]; ++run)
     {
-      Bounds& it = bounds[parts.Runs[run].Part];
-      const int first = parts.Runs[run].Begin;
-      it.Low = { { std::min(it.Low[0], first), std::min(it.Low[1], j), std::min(it.Low[2], k) } };
-      it.High = { { std::max(it.High[0], parts.EndOf(run, row) - 1), std::max(it.High[1], j),
-        std::max(it.High[2], k) } };
+      bounds[parts.Runs[run].Part].Add({ { parts.Runs[run].Begin, j, k } },
+        parts.EndOf(run, row) - 1);
     }
   }
   return bounds;
@@ -335,6 +343,55 @@ private:
   std::priority_queue<Candidate> Front;
 };
 
+// Of the surface of a label around a sheet, which is set as given; what is farther away, closed off
+// there, counts as well.
+int EulerNumberWith(const Places& sheet, bool isClosed, const LabelGrid& grid, int label)
+{
+  constexpr int Reach = 2; // of what changes, and a voxel more
+  Bounds bounds;
+  for (const std::array<int, 3>& place : sheet)
+  {
+    bounds.Add(place, place[0]);
+  }
+  LabelGrid around;
+  around.Values = { 0, 1 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    around.First[axis] = bounds.Low[axis] - Reach - 1;
+    around.Size[axis] = bounds.High[axis] - bounds.Low[axis] + 2 * Reach + 3;
+  }
+  around.Labels.assign(static_cast<std::size_t>(around.Size[0]) * around.Size[1] * around.Size[2],
+    0);
+  for (int k = 1; k + 1 < around.Size[2]; ++k)
+  {
+    for (int j = 1; j + 1 < around.Size[1]; ++j)
+    {
+      for (int i = 1; i + 1 < around.Size[0]; ++i)
+      {
+        around.Labels[around.Offset(i, j, k)] =
+          grid.At(around.First[0] + i, around.First[1] + j, around.First[2] + k) == label ? 1 : 0;
+      }
+    }
+  }
+  for (const std::array<int, 3>& place : sheet)
+  {
+    around.Labels[around.Offset(place[0] - around.First[0], place[1] - around.First[1],
+      place[2] - around.First[2])] = isClosed ? 1 : 0;
+  }
+  const LabelCells cells(around, SerialFor);
+  const LabelWalls walls(around, cells, SerialFor);
+  const SharedWalls surface = CutWalls(walls, cells,
+    Displacements(walls.NumberOfVertices(), Eigen::Array4f::Zero()), nullptr, SerialFor);
+  return static_cast<int>(surface.Points.rows() - surface.Triangles.rows() / 2);
+}
+
+// Where voxels of the label touch by an edge, its surface may have no tunnel although its voxels
+// have.
+bool ClosesTunnel(const Places& sheet, const LabelGrid& grid, int label)
+{
+  return EulerNumberWith(sheet, true, grid, label) > EulerNumberWith(sheet, false, grid, label);
+}
+
 // Whether a sheet of background would join its part with another one of the label.
 bool TouchesOtherPart(const Places& sheet, const PartBox& box, const LabelGrid& grid, int label)
 {
@@ -391,7 +448,7 @@ bool CloseTunnels(LabelGrid& grid, const Eigen::Vector3d& spacing, double width,
       const auto isFree = [&grid](const std::array<int, 3>& place)
       { return grid.At(place[0], place[1], place[2]) == 0; };
       if (isNarrow && std::all_of(sheet.begin(), sheet.end(), isFree) &&
-        !TouchesOtherPart(sheet, box, grid, label))
+        !TouchesOtherPart(sheet, box, grid, label) && ClosesTunnel(sheet, grid, label))
       {
         found.insert(found.end(), sheet.begin(), sheet.end());
       }

@@ -6,10 +6,11 @@
  * leaves connected what was, and opens no tunnel and no cavity. What remains beside the part is a
  * sheet of voxels across each tunnel, where it is narrow, and the part's cavities (Z. Aktouf, G.
  * Bertrand, L. Perroton: A three-dimensional holes closing algorithm, Pattern Recognition Letters
- * 23, 2002). A sheet takes the part's label if it is not too wide, consists of background, and
- * touches no other part of the label, which it would join. So another label that runs through a
- * tunnel keeps its way. Where sheets of two parts overlap, the first part in the order of its
- * voxels has its own.
+ * 23, 2002). A sheet takes the part's label if it is not too wide, consists of background,
+ * touches no other part of the label, which it would join, and closes a tunnel of the label's
+ * surface, too, which has fewer of them where voxels touch by an edge (LabelCells.h). So another
+ * label that runs through a tunnel keeps its way. Where sheets of two parts overlap, the first part
+ * in the order of its voxels has its own.
  */
 #ifndef FlipFreeLabelTunnels_h
 #define FlipFreeLabelTunnels_h

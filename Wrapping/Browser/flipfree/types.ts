@@ -231,7 +231,7 @@ export interface LabelSurface {
   wrongVoxels: number;
   /** Square millimeters. */
   area: number;
-  /** 2 for each piece, less 2 for each tunnel through one. */
+  /** 2 for each piece and each cavity, less 2 for each tunnel. */
   eulerNumber: number;
   triangles: number;
   /** That the surface is closed, and without self-intersections. */

@@ -47,7 +47,7 @@ class LabelMeasures:
     """Those inside that have another label, and those of the label that are not inside."""
     area: float
     euler_number: int
-    """2 for each piece, less 2 for each tunnel through one."""
+    """2 for each piece and each cavity, less 2 for each tunnel."""
     triangles: int
     """0 if all its parts are smaller than smallest_part: then it has no surface."""
 
