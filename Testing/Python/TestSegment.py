@@ -183,7 +183,7 @@ class Input(unittest.TestCase):
 
     def test_file(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "abdomen.mha"
+            path = Path(folder) / ("abdomen.mha" if HAS_VTK else "abdomen.nii.gz")  # without any other package
             flipfree.write_image(image(), path)
             for name in (path, str(path)):
                 result = flipfree.segment(name, SEED, RADIUS)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds FlipFree's wheel and installs it in a virtual environment.
+# Builds FlipFree's wheel and installs it in a virtual environment; or installs the one that FLIPFREE_WHEEL names, such as
+# that of a release, by its absolute path.
 #
 #   install-wheel.sh [--tools] ENVIRONMENT PYTHON [BUILD]
 #
@@ -24,6 +25,12 @@ Wrapping/Setup/install-wheel-tools.sh "$environment" "$python"
 Wrapping/Setup/install-wheel-tools.sh --extras "$environment" "$python" ||
   echo "Skipped from here on: tests of what these packages are needed for."
 if $only_tools; then
+  exit 0
+fi
+
+if [[ ${FLIPFREE_WHEEL:-} ]]; then
+  "$environment/bin/pip" install --quiet --no-deps --force-reinstall "$FLIPFREE_WHEEL"
+  touch "$environment/flipfree-installed"
   exit 0
 fi
 

