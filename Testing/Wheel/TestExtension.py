@@ -36,7 +36,10 @@ class Import(unittest.TestCase):
 
     def test_package_is_small(self):
         folder = Path(flipfree.__file__).parent
-        self.assertLess(sum(path.stat().st_size for path in folder.iterdir() if path.is_file()), 6e6)
+        files = [path for path in folder.iterdir() if path.is_file()]
+        module = next(path for path in files if path.suffix == ".so")
+        limit = 5e6 if b"libstdc++.so" in module.read_bytes() else 6e6  # a release's wheel has a libstdc++ in it
+        self.assertLess(sum(path.stat().st_size for path in files), limit)
 
     def test_scores_are_the_kernels(self):
         scores = flipfree.evaluate(liver().label_map, truth(), reference_label=6)
