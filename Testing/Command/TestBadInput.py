@@ -76,6 +76,7 @@ class TestBadInput(command.CommandTest):
                                (("--radius", "large"), "--radius: 'large' is not a number. Give --radius MM."),
                                (("--levels", 2.5), "--levels: '2.5' is not a whole number, or is too large. Give --levels N."),
                                (("--threads", -1), "--threads: -1 is out of range. Give 0 to 1024."),
+                               (("--threads", "all"), "--threads: 'all' is not a whole number. Give 0 to 1024."),
                                (("--preset", "best"), "--preset: there is no 'best'. Choose one of default, published, naive."),
                                (("-o", "a.vtp", "-o", "b.vtp"), "--output: it is given more than once. Give it once: --output FILE."),
                                (("--start-label", 3), "--start-label requires --start-labels. Give both, or none.")):
@@ -116,6 +117,12 @@ class TestBadInput(command.CommandTest):
             name = os.path.join(folder, "out.vtp")
             with self.subTest(name=name):
                 self.assert_refused(self.segment(*self.seed, "-o", name), 1, name, reason)
+
+    def test_a_file_in_place_of_a_folder(self):
+        for words in (("surfaces", "/nowhere/labels.nii.gz"), ("phantom", "sphere")):
+            with self.subTest(words):
+                process = command.run(*words, "-o", __file__)
+                self.assert_refused(process, 1, f"'{__file__}' is not a folder. Choose another name.")
 
     def test_parameters_of_surfaces_are_checked_before_any_work(self):
         for option, value, limits in (("--distance", 3, "0.5 to 1"), ("--iterations", -1, "0 to 10000")):

@@ -55,10 +55,13 @@ OutputFolder::OutputFolder(const std::string& name)
 {
   std::error_code failure;
   this->IsNew = fs::create_directory(name, failure);
+  if (fs::exists(name) && !fs::is_directory(name))
+  {
+    throw Failure("'" + name + "' is not a folder. Choose another name.");
+  }
   if (!fs::is_directory(name))
   {
-    throw Failure("The folder '" + name + "' cannot be created (" +
-      (failure ? failure.message() : "a file of that name exists") +
+    throw Failure("The folder '" + name + "' cannot be created (" + failure.message() +
       "). Check the name and the permissions of its parent folder.");
   }
 }

@@ -125,8 +125,12 @@ std::string RefusedValueMessage(const CLI::Option& option, const std::string& te
   if (std::regex_match(text, found, range))
   {
     const bool bounded = found[3].str().size() < 12; // not the greatest double
-    return name + ": " + found[1].str() + " is out of range. Give " +
-      (bounded ? found[2].str() + " to " + found[3].str() : "0 or more") + ".";
+    static const std::regex whole(R"([-+]?\d+)");
+    const std::string value = found[1].str();
+    return name + ": " +
+      (std::regex_match(value, whole) ? value + " is out of range"
+                                      : "'" + value + "' is not a whole number") +
+      ". Give " + (bounded ? found[2].str() + " to " + found[3].str() : "0 or more") + ".";
   }
   if (std::regex_match(text, found, choices))
   {

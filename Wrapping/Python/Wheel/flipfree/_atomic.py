@@ -70,6 +70,8 @@ def _make(make: Callable[[str], None], path: str) -> None:
     try:
         make(path)
     except OSError as error:
+        if os.path.exists(path) and not os.path.isdir(path):
+            raise FileError(f"'{path}' is not a folder. Choose another name.") from error
         raise FileError(
             f"The folder '{path}' cannot be created ({error.strerror}). Check the name and the "
             "permissions of its parent folder."
