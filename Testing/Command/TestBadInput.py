@@ -118,12 +118,6 @@ class TestBadInput(command.CommandTest):
             with self.subTest(name=name):
                 self.assert_refused(self.segment(*self.seed, "-o", name), 1, name, reason)
 
-    def test_a_file_in_place_of_a_folder(self):
-        for words in (("surfaces", "/nowhere/labels.nii.gz"), ("phantom", "sphere")):
-            with self.subTest(words):
-                process = command.run(*words, "-o", __file__)
-                self.assert_refused(process, 1, f"'{__file__}' is not a folder. Choose another name.")
-
     def test_parameters_of_surfaces_are_checked_before_any_work(self):
         for option, value, limits in (("--distance", 3, "0.5 to 1"), ("--iterations", -1, "0 to 10000")):
             with self.subTest(option=option):

@@ -157,7 +157,7 @@ class TestSurfaces(command.CommandTest):
                           "no part of any label has 1e+06 mm3; lower --smallest-part")
         self.assert_fails(command.run("surfaces", self.labels), "--output")
         self.assert_fails(command.run("surfaces", self.labels + "x", "-o", self.folder), "labels.nii.gzx")
-        self.assert_fails(command.run("surfaces", self.labels, "-o", self.labels), "cannot be created")
+        self.assert_fails(command.run("surfaces", self.labels, "-o", self.labels), "is not a folder. Choose another name.")
         write_nifti(self.labels, bytes(len(three_labels())))
         self.assert_fails(command.run("surfaces", self.labels, "-o", self.folder), "has no labels")
         self.assertEqual(os.listdir(self.results), [], "nothing is left of a folder that was made in vain")
