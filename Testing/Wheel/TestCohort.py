@@ -630,7 +630,7 @@ class WrongInput(CohortTest):
     def test_folder(self):
         path = self.folder / "file"
         path.write_text("")
-        self.refuses("cannot be created", [self.ROW], path)
+        self.refuses("is not a folder. Choose another name.", [self.ROW], path)
 
     def test_scheduler_that_does_not_answer(self):
         with mock.patch.object(_cluster, "PATIENCE", 1.0):
