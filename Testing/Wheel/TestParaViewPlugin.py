@@ -91,6 +91,17 @@ class Plugin(session.SessionTest):
                                  modality=2)
         self.assert_same(points(fetch(self.organ)), again.points)
 
+    def test_apply_shows_the_surface_in_the_image(self):
+        """By hints for the window, which else hides the image and opens a table view for each table."""
+        hints = self.organ.SMProxy.GetHints()
+        views = {}
+        for element in map(hints.GetNestedElement, range(hints.GetNumberOfNestedElements())):
+            if element.GetName() == "View":
+                views[element.GetAttribute("port")] = element.GetAttribute("type")
+        self.assertEqual(views, {"1": "None", "2": "None", "3": "None"})
+        self.assertEqual(hints.FindNestedElementByName("Visibility").GetAttribute("replace_input"), "0")
+        self.assertEqual(hints.FindNestedElementByName("ShowInMenu").GetAttribute("category"), "FlipFree")
+
     def test_seed_is_a_sphere_in_the_view(self):
         group = self.organ.SMProxy.GetPropertyGroup(0)
         self.assertEqual((group.GetPanelWidget(), group.GetNumberOfProperties()), ("InteractiveSphere", 2))

@@ -131,6 +131,15 @@ GROUP = """
   <Property name="SeedRadius" function="Radius"/>
 </PropertyGroup>
 """
+# Apply shows the surface only, in the image that stays: ParaView would hide the image, and open a
+# table view for each of the tables.
+HINTS = """
+<ShowInMenu category="FlipFree"/>
+<Visibility replace_input="0"/>
+<View port="1" type="None"/>
+<View port="2" type="None"/>
+<View port="3" type="None"/>
+"""
 
 
 def load() -> None:
@@ -190,7 +199,7 @@ def _properties() -> str:
 @smproxy.filter(
     name="FlipFreeSegmentationPython", label="Flip-Free Segmentation (Python)", support_reload=False
 )
-@smhint.xml('<ShowInMenu category="FlipFree"/>')
+@smhint.xml(HINTS)
 @smproperty.xml(_properties())
 class FlipFreeSegmentationPython(Filter):
     """The whole method; see flipfree.vtk."""
