@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from ._backend import SURFACES_PARAMETERS, SurfacesAlgorithm
 from ._labels import label_map_of
@@ -16,20 +16,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._images import AnyImage
-
-
-# The columns of tables, and the fields of LabelMeasures in them.
-COLUMNS = {
-    "Label": "label",
-    "Name": "name",
-    "Milliliters": "volume",
-    "Voxels": "voxels",
-    "VoxelMilliliters": "voxel_volume",
-    "WrongVoxels": "wrong_voxels",
-    "Area": "area",
-    "EulerNumber": "euler_number",
-    "Triangles": "triangles",
-}
 
 
 @dataclass(frozen=True)
@@ -50,6 +36,19 @@ class LabelMeasures:
     """2 for each piece and each cavity, less 2 for each tunnel."""
     triangles: int
     """0 if all its parts are smaller than smallest_part: then it has no surface."""
+
+    COLUMNS: ClassVar[dict[str, str]] = {
+        "Label": "label",
+        "Name": "name",
+        "Milliliters": "volume",
+        "Voxels": "voxels",
+        "VoxelMilliliters": "voxel_volume",
+        "WrongVoxels": "wrong_voxels",
+        "Area": "area",
+        "EulerNumber": "euler_number",
+        "Triangles": "triangles",
+    }
+    """The columns of tables, and the fields in them."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -140,7 +139,8 @@ def surfaces(
     with progress_of(progress, "surfaces") as tell:
         answer = algorithm.run(image, [int(label) for label in only], tell)
     rows = answer.pop("rows")
-    measures = [LabelMeasures(**{field: row[name] for name, field in COLUMNS.items()}) for row in rows]
+    columns = LabelMeasures.COLUMNS
+    measures = [LabelMeasures(**{field: row[name] for name, field in columns.items()}) for row in rows]
     return LabelSurfaces(labels={one.label: one for one in measures}, **answer)
 
 

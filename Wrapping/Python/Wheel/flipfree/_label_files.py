@@ -10,7 +10,7 @@ from . import _kernels
 from ._atomic import write_table, write_to
 from ._segmentation import surface_of_label
 from ._surface_files import write_surface
-from ._surfaces import COLUMNS, LabelSurfaces
+from ._surfaces import LabelMeasures, LabelSurfaces
 
 TABLE = "surfaces.csv"
 
@@ -27,7 +27,7 @@ def write_label_surfaces(
     for name in names:
         check(os.path.join(folder, name))
     rows = [
-        [*(getattr(found.labels[label], field) for field in COLUMNS.values()), file]
+        [*(getattr(found.labels[label], field) for field in LabelMeasures.COLUMNS.values()), file]
         for label, file in files.items()
     ]
     with ExitStack() as written:
@@ -37,7 +37,7 @@ def write_label_surfaces(
                 path = os.path.join(folder, file)
                 write_to(written, path, lambda name, mesh=surface: write_surface(mesh, name))  # type: ignore[misc]
         path = os.path.join(folder, TABLE)
-        write_to(written, path, lambda name: write_table(name, [*COLUMNS, "File"], rows))
+        write_to(written, path, lambda name: write_table(name, [*LabelMeasures.COLUMNS, "File"], rows))
     return names
 
 
