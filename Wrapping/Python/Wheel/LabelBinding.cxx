@@ -14,6 +14,8 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 
+#include <cmath>
+
 namespace FlipFree
 {
 namespace
