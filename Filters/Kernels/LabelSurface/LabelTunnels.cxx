@@ -1,6 +1,7 @@
 #include "LabelSurface/LabelTunnels.h"
 
 #include "Image/DistanceTransform.h"
+#include "Image/VoxelBox.h"
 #include "Image/VoxelOffsets.h"
 #include "LabelSurface/LabelParts.h"
 #include "LabelSurface/SimpleVoxel.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <vector>
 
@@ -25,48 +25,21 @@ std::array<int, 3> StepOf(int bit)
   return { { bit % 3 - 1, bit / 3 % 3 - 1, bit / 9 - 1 } };
 }
 
-// The first and the last voxel of a part along each axis.
-struct Bounds
+std::vector<VoxelBox> BoxesOf(const LabelParts& parts)
 {
-  std::array<int, 3> Low{ { std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
-    std::numeric_limits<int>::max() } };
-  std::array<int, 3> High{ { 0, 0, 0 } };
-
-  // The voxels from one place to the last one of its row.
-  void Add(const std::array<int, 3>& first, int last)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Low[axis] = std::min(this->Low[axis], first[axis]);
-      this->High[axis] = std::max(this->High[axis], axis == 0 ? last : first[axis]);
-    }
-  }
-
-  double Volume() const
-  {
-    double volume = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      volume *= this->High[axis] - this->Low[axis] + 3;
-    }
-    return volume;
-  }
-};
-
-std::vector<Bounds> BoundsOf(const LabelParts& parts)
-{
-  std::vector<Bounds> bounds(parts.Parts.size());
+  std::vector<VoxelBox> boxes(parts.Parts.size());
   for (std::size_t row = 0; row + 1 < parts.RowBegin.size(); ++row)
   {
     const int j = static_cast<int>(row % parts.Size[1]);
     const int k = static_cast<int>(row / parts.Size[1]);
     for (std::size_t run = parts.RowBegin[row]; run < parts.RowBegin[row + 1]; ++run)
     {
-      bounds[parts.Runs[run].Part].Add({ { parts.Runs[run].Begin, j, k } },
-        parts.EndOf(run, row) - 1);
+      VoxelBox& box = boxes[parts.Runs[run].Part];
+      box = box.Joined(
+        { { { parts.Runs[run].Begin, j, k } }, { { parts.EndOf(run, row), j + 1, k + 1 } } });
     }
   }
-  return bounds;
+  return boxes;
 }
 
 // Asks a monitor now and then, and tells it how much is done of what there is to do.
@@ -109,13 +82,13 @@ public:
   // How many steps the work on a box of so many voxels has at most, as a guess.
   static constexpr double StepsPerVoxel = 3;
 
-  PartBox(const Bounds& bounds, const Eigen::Vector3d& spacing)
-    : Low{ { bounds.Low[0] - 1, bounds.Low[1] - 1, bounds.Low[2] - 1 } }
+  PartBox(const VoxelBox& box, const Eigen::Vector3d& spacing)
+    : Low{ { box.Begin[0] - 1, box.Begin[1] - 1, box.Begin[2] - 1 } }
   {
     this->Geometry.Spacing = spacing;
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Geometry.Dimensions[axis] = bounds.High[axis] - bounds.Low[axis] + 3;
+      this->Geometry.Dimensions[axis] = box.Size(axis) + 2;
     }
     for (int bit = 0; bit < Neighbors; ++bit)
     {
@@ -343,25 +316,23 @@ private:
   std::priority_queue<Candidate> Front;
 };
 
-// Of the surface of a label around a sheet, which is set as given; what is farther away, closed off
-// there, counts as well.
-int EulerNumberWith(const Places& sheet, bool isClosed, const LabelGrid& grid, int label)
+// A label alone around a sheet, as far as the sheet changes its surface, and a voxel more.
+LabelGrid SurroundingsOf(const Places& sheet, const LabelGrid& grid, int label)
 {
-  constexpr int Reach = 2; // of what changes, and a voxel more
-  Bounds bounds;
-  for (const std::array<int, 3>& place : sheet)
+  constexpr int Reach = 2;
+  VoxelBox box;
+  for (const auto& [i, j, k] : sheet)
   {
-    bounds.Add(place, place[0]);
+    box = box.Joined({ { { i, j, k } }, { { i + 1, j + 1, k + 1 } } });
   }
   LabelGrid around;
   around.Values = { 0, 1 };
   for (int axis = 0; axis < 3; ++axis)
   {
-    around.First[axis] = bounds.Low[axis] - Reach - 1;
-    around.Size[axis] = bounds.High[axis] - bounds.Low[axis] + 2 * Reach + 3;
+    around.First[axis] = box.Begin[axis] - Reach - 1;
+    around.Size[axis] = box.Size(axis) + 2 * Reach + 2;
   }
-  around.Labels.assign(static_cast<std::size_t>(around.Size[0]) * around.Size[1] * around.Size[2],
-    0);
+  around.Labels.resize(static_cast<std::size_t>(around.Size[0]) * around.Size[1] * around.Size[2]);
   for (int k = 1; k + 1 < around.Size[2]; ++k)
   {
     for (int j = 1; j + 1 < around.Size[1]; ++j)
@@ -373,13 +344,13 @@ int EulerNumberWith(const Places& sheet, bool isClosed, const LabelGrid& grid, i
       }
     }
   }
-  for (const std::array<int, 3>& place : sheet)
-  {
-    around.Labels[around.Offset(place[0] - around.First[0], place[1] - around.First[1],
-      place[2] - around.First[2])] = isClosed ? 1 : 0;
-  }
-  const LabelCells cells(around, SerialFor);
-  const LabelWalls walls(around, cells, SerialFor);
+  return around;
+}
+
+int EulerNumberOf(const LabelGrid& grid)
+{
+  const LabelCells cells(grid, SerialFor);
+  const LabelWalls walls(grid, cells, SerialFor);
   const SharedWalls surface = CutWalls(walls, cells,
     Displacements(walls.NumberOfVertices(), Eigen::Array4f::Zero()), nullptr, SerialFor);
   return static_cast<int>(surface.Points.rows() - surface.Triangles.rows() / 2);
@@ -389,7 +360,13 @@ int EulerNumberWith(const Places& sheet, bool isClosed, const LabelGrid& grid, i
 // have.
 bool ClosesTunnel(const Places& sheet, const LabelGrid& grid, int label)
 {
-  return EulerNumberWith(sheet, true, grid, label) > EulerNumberWith(sheet, false, grid, label);
+  LabelGrid around = SurroundingsOf(sheet, grid, label);
+  const int before = EulerNumberOf(around);
+  for (const auto& [i, j, k] : sheet)
+  {
+    around.Labels[around.Offset(i - around.First[0], j - around.First[1], k - around.First[2])] = 1;
+  }
+  return EulerNumberOf(around) > before;
 }
 
 // Whether a sheet of background would join its part with another one of the label.
@@ -423,16 +400,17 @@ bool CloseTunnels(LabelGrid& grid, const Eigen::Vector3d& spacing, double width,
   }
   constexpr std::size_t LeastAround = 6; // voxels around the narrowest tunnel
   const LabelParts parts(grid);
-  const std::vector<Bounds> bounds = BoundsOf(parts);
+  const std::vector<VoxelBox> boxes = BoxesOf(parts);
   const auto mayHaveTunnels = [&parts](std::size_t part)
   { return parts.Parts[part].Label != 0 && parts.Parts[part].Voxels >= LeastAround; };
   double voxels = 1;
-  for (std::size_t part = 0; part < bounds.size(); ++part)
+  for (std::size_t part = 0; part < boxes.size(); ++part)
   {
-    voxels += mayHaveTunnels(part) ? bounds[part].Volume() : 0;
+    const VoxelBox& box = boxes[part];
+    voxels += mayHaveTunnels(part) ? 1.0 * box.Size(0) * box.Size(1) * box.Size(2) : 0;
   }
   Work work(monitor, PartBox::StepsPerVoxel * voxels);
-  for (std::size_t part = 0; part < bounds.size(); ++part)
+  for (std::size_t part = 0; part < boxes.size(); ++part)
   {
     if (!mayHaveTunnels(part))
     {
@@ -440,7 +418,7 @@ bool CloseTunnels(LabelGrid& grid, const Eigen::Vector3d& spacing, double width,
     }
     const int label = parts.Parts[part].Label;
     Places found;
-    PartBox box(bounds[part], spacing);
+    PartBox box(boxes[part], spacing);
     const auto take = [&](const Places& sheet, float squaredDistance)
     {
       // From the middle of a voxel to that of the nearest one of the part.
